@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every program shares: one table of options that feeds the parser, --help, the man page check
+// and the history in the output; exit codes; messages; inputs and outputs.
+//
+// A program is a settings struct, a function that describes it as a Command, and a run that reads
+// like its SYNOPSIS:
+//
+//     int main(int argc, char** argv) { return run_command(argc, argv, describe_curve_grow); }
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "libstyle/base/progress.h"
+#include "libstyle/base/warning.h"
+
+namespace libstyle {
+
+// Wrong use of a program; ends it with exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Whether an option belongs to the history of a document: only what decides the result does.
+enum class HistoryUse : std::uint8_t {
+  kRecorded,  // name and value
+  kFile,      // name, and the value without its folder
+  kLeftOut    // threads, progress, where files lie
+};
+
+// Where the value goes; what stands there at the start is the default that --help shows.
+using OptionTarget = std::variant<bool*, int*, double*, std::uint64_t*, std::string*,
+                                  std::vector<std::string>*, std::optional<double>*>;
+
+struct Option {
+  std::string names;       // long name first, then a short one: "--output,-o"
+  std::string value_name;  // "FILE", "N"; empty for a flag
+  std::string help;        // one sentence, lower case, no full stop
+  OptionTarget target;
+  HistoryUse history = HistoryUse::kRecorded;
+  std::vector<std::string> choices = {};  // the only values allowed, if any
+};
+
+// Everything a program is told and may call while it runs.
+class Session;
+
+struct Command {
+  std::string name;
+  std::string summary;                // completes "name - ..."
+  std::vector<std::string> synopsis;  // real command lines
+  std::vector<Option> options;        // without those of every program
+  std::string input_help;             // what the positional inputs are; empty: none are taken
+  std::vector<std::string>* inputs = nullptr;
+  std::function<void(Session&)> run;
+};
+
+class Session {
+ public:
+  Session(std::string program, bool quiet);
+
+  // Prints "program: message" to stderr.
+  void message(std::string_view text) const;
+  // Prints a warning in one line, unless --quiet, and counts it.
+  void warn(const Warning& warning);
+  WarningHandler warning_handler();
+  std::size_t warning_count() const { return warnings_; }
+
+  // Draws a progress bar when stderr is a terminal and the work takes over a second.
+  ProgressHandler progress_handler();
+
+  // The command line as it belongs into a document's history.
+  const std::string& history() const { return history_; }
+
+  void set_history(std::string history) { history_ = std::move(history); }
+
+ private:
+  std::string program_;
+  bool quiet_;
+  std::size_t warnings_ = 0;
+  std::string history_;
+};
+
+// Parses, runs, reports. Returns the exit code: 0 done, 1 bad data or a failed run, 2 wrong use.
+// A closed pipe is a quiet success.
+int run_command(int argc, char** argv, const Command& command);
+
+}  // namespace libstyle

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/base/error.h"
+
+namespace libstyle {
+
+std::string to_prefix(const Place& place) {
+  if (place.file.empty()) return {};
+  if (place.line == 0) return place.file + ": ";
+  return place.file + ":" + std::to_string(place.line) + ": ";
+}
+
+Error::Error(const std::string& message) : std::runtime_error(message) {}
+
+Error::Error(const Place& place, const std::string& message)
+    : std::runtime_error(to_prefix(place) + message) {}
+
+}  // namespace libstyle

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is thrown when data from outside cannot be used. A broken invariant of our own is an
+// assertion, never one of these.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace libstyle {
+
+// Where in an input something was found. `line` counts from 1; 0 means "the input as a whole".
+struct Place {
+  std::string file;
+  std::size_t line = 0;
+};
+
+// Writes a place as "file:line: ", "file: " or "" for use before a message.
+std::string to_prefix(const Place& place);
+
+// Bad data or a failed run. what() is one line: place, what is wrong, what to do.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message);
+  Error(const Place& place, const std::string& message);
+};
+
+}  // namespace libstyle

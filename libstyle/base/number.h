@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text: the shortest decimal that reads back as the same double.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace libstyle {
+
+// Appends the shortest text that reads back as `value`: "0.1", "-3", "1e+20". Negative zero is
+// written "0". `value` must be finite.
+void append_number(std::string& text, double value);
+
+// Reads a JSON-style number from the front of `text` and removes it. Returns false, leaving `text`
+// alone, when there is none or it is not finite. Independent of the locale.
+bool take_number(std::string_view& text, double& value);
+
+}  // namespace libstyle
