@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every program shares: one table of options that feeds the parser, --help, the man page check
-// and the history in the output; exit codes; messages; inputs and outputs.
+// What every program shares: one table of options that feeds the parser, --help, the check of the
+// man page and the history in the output; exit codes and messages.
 //
 // A program is a settings struct, a function that describes it as a Command, and a run that reads
 // like its SYNOPSIS:
 //
-//     int main(int argc, char** argv) { return run_command(argc, argv, describe_curve_grow); }
+//     int main(int argc, char** argv) {
+//       Settings settings;
+//       return run_command(argc, argv, describe(settings));
+//     }
 #pragma once
 
 #include <cstdint>
@@ -28,14 +31,14 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Whether an option belongs to the history of a document: only what decides the result does.
+// Whether an option belongs into the history of a document: only what decides the result does.
 enum class HistoryUse : std::uint8_t {
   kRecorded,  // name and value
   kFile,      // name, and the value without its folder
   kLeftOut    // threads, progress, where files lie
 };
 
-// Where the value goes; what stands there at the start is the default that --help shows.
+// Where the value goes. What stands there at the start is the default, which --help shows.
 using OptionTarget = std::variant<bool*, int*, double*, std::uint64_t*, std::string*,
                                   std::vector<std::string>*, std::optional<double>*>;
 
@@ -48,47 +51,43 @@ struct Option {
   std::vector<std::string> choices = {};  // the only values allowed, if any
 };
 
-// Everything a program is told and may call while it runs.
-class Session;
-
-struct Command {
-  std::string name;
-  std::string summary;                // completes "name - ..."
-  std::vector<std::string> synopsis;  // real command lines
-  std::vector<Option> options;        // without those of every program
-  std::string input_help;             // what the positional inputs are; empty: none are taken
-  std::vector<std::string>* inputs = nullptr;
-  std::function<void(Session&)> run;
-};
-
+// One line a program wants to say and a bar while it works.
 class Session {
  public:
-  Session(std::string program, bool quiet);
+  Session(std::string program, std::string history, bool quiet);
 
-  // Prints "program: message" to stderr.
+  // Prints "program: text" to stderr, --quiet or not.
   void message(std::string_view text) const;
+
   // Prints a warning in one line, unless --quiet, and counts it.
   void warn(const Warning& warning);
   WarningHandler warning_handler();
   std::size_t warning_count() const { return warnings_; }
 
   // Draws a progress bar when stderr is a terminal and the work takes over a second.
-  ProgressHandler progress_handler();
+  ProgressHandler progress_handler() const;
 
-  // The command line as it belongs into a document's history.
+  // This command line as it belongs into the history of a document.
   const std::string& history() const { return history_; }
-
-  void set_history(std::string history) { history_ = std::move(history); }
 
  private:
   std::string program_;
+  std::string history_;
   bool quiet_;
   std::size_t warnings_ = 0;
-  std::string history_;
+};
+
+struct Command {
+  std::string name;
+  std::string summary;                         // completes "name - ..."
+  std::vector<std::string> synopsis;           // real command lines
+  std::vector<Option> options;                 // without --quiet, --help and --version
+  std::vector<std::string>* inputs = nullptr;  // positional names; null: the program takes none
+  std::function<void(Session&)> run;           // throws Error or UsageError
 };
 
 // Parses, runs, reports. Returns the exit code: 0 done, 1 bad data or a failed run, 2 wrong use.
 // A closed pipe is a quiet success.
-int run_command(int argc, char** argv, const Command& command);
+int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace libstyle

@@ -2,9 +2,11 @@
 // Inputs and outputs of the programs: files, stdin and stdout under the name "-".
 #pragma once
 
+#include <cstddef>
+#include <exception>
 #include <memory>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "libstyle/base/bytes.h"
 
@@ -26,7 +28,8 @@ std::string document_name(const std::string& input_name);
 std::string read_all(ByteSource& source, std::size_t limit, const std::string& name);
 
 // An output that is there whole or not at all: a named file is written beside its place and renamed
-// by commit(); without commit() it vanishes. "-" is stdout, flushed and checked by commit().
+// by commit(); without commit() it vanishes. Stdout ("-"), devices and named pipes are written as
+// they are. Both calls throw Error when the bytes cannot be written, ClosedPipe when nobody reads.
 class OutputFile final : public ByteSink {
  public:
   explicit OutputFile(const std::string& name);
@@ -38,8 +41,9 @@ class OutputFile final : public ByteSink {
   void commit();
 
  private:
-  std::string name_;
-  std::string temporary_;  // empty for stdout
+  std::string name_;         // for messages
+  std::string destination_;  // what commit() renames to
+  std::string temporary_;    // empty where there is nothing to rename: stdout, a device, a pipe
   int descriptor_ = -1;
 };
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "converters/common/command.h"
+#include "converters/common/progress_bar.h"
+
+namespace libstyle {
+
+Session::Session(std::string program, std::string history, bool quiet)
+    : program_(std::move(program)), history_(std::move(history)), quiet_(quiet) {}
+
+void Session::message(std::string_view text) const {
+  const std::string line = program_ + ": " + std::string(text) + '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void Session::warn(const Warning& warning) {
+  ++warnings_;
+  if (quiet_) return;
+  const std::string id = warning.id.empty() ? "" : "#" + warning.id + ": ";
+  message(to_prefix(warning.place) + "warning: " + id + warning.message);
+}
+
+WarningHandler Session::warning_handler() {
+  return [this](const Warning& warning) { warn(warning); };
+}
+
+ProgressHandler Session::progress_handler() const {
+  if (quiet_ || !stderr_is_terminal()) return {};
+  return make_progress_bar(program_);
+}
+
+}  // namespace libstyle
