@@ -11,8 +11,10 @@ namespace libstyle {
 // written "0". `value` must be finite.
 void append_number(std::string& text, double value);
 
-// Reads a JSON-style number from the front of `text` and removes it. Returns false, leaving `text`
-// alone, when there is none or it is not finite. Independent of the locale.
+// Reads a number from the front of `text` and removes it: "-12", "0.5", ".5", "5.", "1e-3", without
+// a plus in front. The result is the nearest double; what is too small for a double is 0. Returns
+// false, leaving `text` alone, when there is no number or no double can hold it (1e999, inf, nan).
+// Independent of the locale.
 bool take_number(std::string_view& text, double& value);
 
 }  // namespace libstyle
