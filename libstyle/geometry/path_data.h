@@ -9,10 +9,10 @@
 
 namespace libstyle {
 
-// Reads "M0 0 L10 0 C10 5 5 10 0 10 Z". Numbers are separated by white space or one comma; a
-// command letter may be left out where it repeats (after M, L). Throws Error (no place) saying what
-// is wrong and at which character: relative or other commands, a path that does not begin with M,
-// a missing number, NaN or infinity.
+// Reads "M0 0 L10 0 C10 5 5 10 0 10 Z". Numbers are separated by white space, one comma, or nothing
+// where that is clear; a command letter may be left out where it repeats (after M, L is meant).
+// Throws Error (no place) saying what is wrong and at which character: relative or other commands,
+// a subpath that does not begin with M, a missing number, NaN or infinity.
 Path parse_path_data(std::string_view text);
 
 // Appends the path in the form above, with a letter for every command and shortest round-trip
