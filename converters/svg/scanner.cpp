@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/scanner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace libstyle::svg {
+namespace {
+
+// Whether a number out of range is so for being too small: decided by the sign of its exponent, or
+// without one by its integer part.
+bool is_underflow(std::string_view number) {
+  const std::size_t exponent = number.find_first_of("eE");
+  if (exponent != std::string_view::npos) return number.substr(exponent + 1).starts_with('-');
+  return number.find_first_of("123456789") > number.find('.');
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, to_lower, to_lower);
+}
+
+bool Scanner::skip_separator() {
+  skip_spaces();
+  if (!take(',')) return false;
+  skip_spaces();
+  return true;
+}
+
+bool Scanner::take(char c) {
+  if (next_ == end_ || *next_ != c) return false;
+  ++next_;
+  return true;
+}
+
+bool Scanner::take_number(double& value) {
+  const char* first = next_;
+  if (first != end_ && (*first == '+' || *first == '-')) ++first;
+  // from_chars also takes "inf" and "nan", and a second sign.
+  if (first == end_ || !(is_digit(*first) || *first == '.')) return false;
+  if (*next_ == '-') first = next_;
+  const auto [stop, fault] = std::from_chars(first, end_, value);
+  if (fault == std::errc::result_out_of_range) {
+    if (!is_underflow({first, stop})) return false;
+    value = 0;
+  } else if (fault != std::errc()) {
+    return false;
+  }
+  next_ = stop;
+  return true;
+}
+
+std::string_view Scanner::take_word() {
+  const char* first = next_;
+  if (first != end_ && is_digit(*first)) return {};
+  const auto is_word = [](char c) {
+    return is_digit(c) || c == '-' || c == '_' || (to_lower(c) >= 'a' && to_lower(c) <= 'z');
+  };
+  while (next_ != end_ && is_word(*next_)) ++next_;
+  return {first, next_};
+}
+
+NumberList parse_number_list(std::string_view text) {
+  NumberList list;
+  Scanner scanner(text);
+  scanner.skip_spaces();
+  bool comma = false;
+  double number = 0;
+  while (scanner.take_number(number)) {
+    list.numbers.push_back(number);
+    comma = scanner.skip_separator();
+  }
+  list.complete = scanner.at_end() && !comma;
+  return list;
+}
+
+}  // namespace libstyle::svg
