@@ -2,22 +2,10 @@
 #include "converters/svg/scanner.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+
+#include "libstyle/base/number.h"
 
 namespace libstyle::svg {
-namespace {
-
-// Whether a number out of range is so for being too small: decided by the sign of its exponent, or
-// without one by its integer part.
-bool is_underflow(std::string_view number) {
-  const std::size_t exponent = number.find_first_of("eE");
-  if (exponent != std::string_view::npos) return number.substr(exponent + 1).starts_with('-');
-  return number.find_first_of("123456789") > number.find('.');
-}
-
-}  // namespace
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
@@ -42,19 +30,13 @@ bool Scanner::take(char c) {
 }
 
 bool Scanner::take_number(double& value) {
-  const char* first = next_;
-  if (first != end_ && (*first == '+' || *first == '-')) ++first;
-  // from_chars also takes "inf" and "nan", and a second sign.
-  if (first == end_ || !(is_digit(*first) || *first == '.')) return false;
-  if (*next_ == '-') first = next_;
-  const auto [stop, fault] = std::from_chars(first, end_, value);
-  if (fault == std::errc::result_out_of_range) {
-    if (!is_underflow({first, stop})) return false;
-    value = 0;
-  } else if (fault != std::errc()) {
-    return false;
+  std::string_view rest(next_, end_);
+  if (rest.starts_with('+')) {
+    rest.remove_prefix(1);
+    if (rest.starts_with('-')) return false;
   }
-  next_ = stop;
+  if (!libstyle::take_number(rest, value)) return false;
+  next_ = end_ - rest.size();
   return true;
 }
 
