@@ -14,6 +14,7 @@ namespace libstyle {
 
 struct ReaderLimits {
   std::size_t record_bytes = std::size_t{256} << 20;  // one line
+  std::size_t records = 10'000'000;                   // one document
 };
 
 class Reader {
@@ -24,9 +25,12 @@ class Reader {
 
   // Replaces `document` by the next one of the stream. Returns false, with `document` empty, at the
   // end of the stream.
-  // Throws Error with file and line: not JSON, a wrong type of value, bad path data, an array along
-  // the curve of the wrong length, a record before any header, an unknown version, a last line
-  // without its newline that is not whole, a line over the limit.
+  // Throws Error with file and line: not JSON or not UTF-8, a key that is missing, twice there or
+  // of the wrong type or range, bad path data, an array along the curve of the wrong length, an id
+  // that two records have, a record before any header, an unknown version, a stream that ends in
+  // the middle of a line, a line or document over the limits. Not checked: what records refer to
+  // ("in", "clip", "curve", "of", "url(#id)"). A reference means a record before it in the
+  // document; where there is none it has no effect.
   bool read(Document& document);
 
  private:

@@ -10,7 +10,8 @@
 
 namespace libstyle {
 
-// Append one line, newline included.
+// Append one line, newline included. Numbers are finite, texts UTF-8 (else Error), extras JSON in
+// one line.
 void append_header(std::string& text, const Header& header);
 void append_record(std::string& text, const Record& record);
 
