@@ -44,15 +44,15 @@ Point centroid(std::span<const Point> polygon) {
   // Triangles between the first point and each edge.
   const Point origin = polygon.front();
   Vector sum;
-  double doubled = 0, magnitude = 0;
+  double doubled = 0, length = 0;
   for_each_edge(polygon, [&](Point start, Point end) {
     const double part = cross(start - origin, end - origin);
     sum += part * ((start - origin) + (end - origin)) / 3;
     doubled += part;
-    magnitude += std::abs(part);
+    length += distance(start, end);
   });
-  // Area that cancels to rounding error has no centre.
-  if (!(std::abs(doubled) > 1e-12 * magnitude)) return boundary_centroid(polygon);
+  // An area that is all rounding error has no centre.
+  if (!(std::abs(doubled) > 1e-14 * length * length)) return boundary_centroid(polygon);
   return origin + sum / doubled;
 }
 
