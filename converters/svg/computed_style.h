@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The properties of an element after cascade and inheritance, as far as anything here reads them.
+// Lengths keep their unit: they are resolved where they are used, against the viewport there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "converters/svg/css_color.h"
+#include "converters/svg/length.h"
+#include "libstyle/curves/style.h"
+#include "libstyle/geometry/transform.h"
+
+namespace libstyle::svg {
+
+// A colour that may be that of the property `color`, or no paint at all.
+struct SolidPaint {
+  enum class Kind : std::uint8_t { kNone, kColor, kCurrentColor };
+
+  Kind kind = Kind::kNone;
+  CssColor color;
+
+  static SolidPaint of(CssColor color) { return {Kind::kColor, color}; }
+  // The colour meant, or nothing for no paint.
+  std::optional<CssColor> resolve(const CssColor& current_color) const {
+    if (kind == Kind::kNone) return std::nullopt;
+    return kind == Kind::kCurrentColor ? current_color : color;
+  }
+};
+
+// Fill or stroke: by reference with a paint to fall back to, or plain.
+struct SpecifiedPaint {
+  std::string_view reference;  // what url() holds; empty: none
+  SolidPaint solid;            // alone, or where the reference leads nowhere
+};
+
+enum class Display : std::uint8_t { kInline, kNone };
+enum class Visibility : std::uint8_t { kVisible, kHidden };
+enum class Overflow : std::uint8_t { kVisible, kHidden };
+
+// The views point into the text of the file or of its style sheets.
+struct InheritedProperties {
+  CssColor color;
+  SpecifiedPaint fill = {"", SolidPaint::of({})};
+  double fill_opacity = 1;
+  FillRule fill_rule = FillRule::kNonZero;
+  FillRule clip_rule = FillRule::kNonZero;
+  SpecifiedPaint stroke;
+  double stroke_opacity = 1;
+  Length stroke_width = {1};
+  LineCap line_cap = LineCap::kButt;
+  LineJoin line_join = LineJoin::kMiter;
+  double miter_limit = 4;
+  std::vector<Length> dash_array;
+  Length dash_offset;
+  bool stroke_first = false;
+  Visibility visibility = Visibility::kVisible;
+  double font_size = 16;          // px
+  std::string_view marker_start;  // what url() holds; empty: none
+  std::string_view marker_mid;
+  std::string_view marker_end;
+};
+
+struct OwnProperties {
+  double opacity = 1;
+  Display display = Display::kInline;
+  Overflow overflow = Overflow::kVisible;
+  std::string_view clip_path;  // the value, when it is not "none"
+  std::string_view mask;
+  std::string_view filter;
+  std::string_view blend_mode;  // mix-blend-mode, when it is not "normal"
+  bool non_scaling_stroke = false;
+  SolidPaint stop_color = SolidPaint::of({});
+  double stop_opacity = 1;
+  std::optional<Transform> transform;
+  Length x, y, center_x, center_y, radius;
+  std::optional<Length> radius_x, radius_y;  // unset: auto
+  std::optional<Length> width, height;       // unset: auto
+};
+
+struct ComputedStyle : InheritedProperties, OwnProperties {};
+
+}  // namespace libstyle::svg

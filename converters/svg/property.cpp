@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/property.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "converters/svg/scanner.h"
+#include "converters/svg/transform_list.h"
+
+namespace libstyle::svg {
+namespace {
+
+using Text = std::string_view;
+using Style = ComputedStyle;
+
+// --- Values -------------------------------------------------------------------------------------
+
+template <typename Value>
+using Keywords = std::initializer_list<std::pair<Text, Value>>;
+
+template <typename Value>
+std::optional<Value> find_keyword(Text text, Keywords<Value> keywords) {
+  for (const auto& [name, value] : keywords) {
+    if (equal_ignoring_case(text, name)) return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<SolidPaint> parse_solid(Text text) {
+  if (equal_ignoring_case(text, "none")) return SolidPaint{};
+  if (equal_ignoring_case(text, "currentColor")) {
+    return SolidPaint{SolidPaint::Kind::kCurrentColor, {}};
+  }
+  // The colour of a profile may follow that of sRGB, which is the one we use.
+  text = trimmed(text.substr(0, text.find("icc-color(")));
+  const std::optional<CssColor> color = parse_css_color(text);
+  if (!color) return std::nullopt;
+  return SolidPaint::of(*color);
+}
+
+std::optional<SpecifiedPaint> parse_paint(Text text) {
+  SpecifiedPaint paint;
+  Text rest;
+  paint.reference = take_url(text, rest);
+  rest = trimmed(rest);
+  if (!paint.reference.empty() && rest.empty()) return paint;
+  const std::optional<SolidPaint> solid = parse_solid(rest);
+  if (!solid) return std::nullopt;
+  paint.solid = *solid;
+  return paint;
+}
+
+std::optional<Length> parse_size(Text text) {
+  const std::optional<Length> length = parse_length(text);
+  return length && length->value >= 0 ? length : std::nullopt;
+}
+
+// CSS 2.1, section 15.7, with its suggested factor of 1.2 between neighbours.
+std::optional<double> parse_font_size(Text text, double parent_size) {
+  const auto keyword = find_keyword<double>(text, {{"xx-small", 16 / 1.728},
+                                                   {"x-small", 16 / 1.44},
+                                                   {"small", 16 / 1.2},
+                                                   {"medium", 16},
+                                                   {"large", 16 * 1.2},
+                                                   {"x-large", 16 * 1.44},
+                                                   {"xx-large", 16 * 1.728},
+                                                   {"smaller", parent_size / 1.2},
+                                                   {"larger", parent_size * 1.2}});
+  if (keyword) return keyword;
+  const std::optional<Length> length = parse_size(text);
+  if (!length) return std::nullopt;
+  if (length->unit == LengthUnit::kPercent) return length->value / 100 * parent_size;
+  return resolve(*length, LengthAxis::kDiagonal, {0, 0, parent_size});
+}
+
+std::optional<std::vector<Length>> parse_dash_array(Text text) {
+  if (equal_ignoring_case(text, "none")) return std::vector<Length>{};
+  std::optional<std::vector<Length>> dashes = parse_length_list(text);
+  if (dashes && std::ranges::any_of(*dashes, [](Length dash) { return dash.value < 0; })) {
+    return std::nullopt;
+  }
+  return dashes;
+}
+
+// Whether stroke comes before fill. What is left out comes last, in the usual order.
+std::optional<bool> parse_paint_order(Text text) {
+  bool stroke_first = false;
+  bool decided = false;
+  Scanner scanner(text);
+  for (scanner.skip_spaces(); !scanner.at_end(); scanner.skip_spaces()) {
+    const Text word = scanner.take_word();
+    if (word == "stroke" && !decided) stroke_first = true;
+    if (word == "stroke" || word == "fill") {
+      decided = true;
+    } else if (word != "markers" && word != "normal") {
+      return std::nullopt;
+    }
+  }
+  return stroke_first;
+}
+
+std::optional<double> parse_miter_limit(Text text) {
+  const std::optional<double> limit = parse_number(text);
+  return limit && *limit >= 1 ? limit : std::nullopt;
+}
+
+// --- Setters ------------------------------------------------------------------------------------
+
+template <auto Member>
+void copy(Style& to, const Style& from) {
+  to.*Member = from.*Member;
+}
+
+template <typename Target, typename Value>
+bool assign(Target& target, const std::optional<Value>& value) {
+  if (value) target = *value;
+  return value.has_value();
+}
+
+template <auto Member, auto Parse>
+bool set(Style& style, const Style& /*parent*/, Text text) {
+  return assign(style.*Member, Parse(text));
+}
+
+template <auto Member>
+bool set_automatic_size(Style& style, const Style& /*parent*/, Text text) {
+  if (equal_ignoring_case(text, "auto")) {
+    (style.*Member).reset();
+    return true;
+  }
+  return assign(style.*Member, parse_size(text));
+}
+
+// Keeps the value itself, for whoever draws what it names.
+template <auto Member>
+bool set_text(Style& style, const Style& /*parent*/, Text text) {
+  const bool none = equal_ignoring_case(text, "none") || equal_ignoring_case(text, "normal");
+  style.*Member = none ? Text() : text;
+  return true;
+}
+
+template <auto Member>
+bool set_url(Style& style, const Style& /*parent*/, Text text) {
+  Text rest;
+  const Text url = take_url(text, rest);
+  if (url.empty() && !equal_ignoring_case(text, "none")) return false;
+  style.*Member = url;
+  return true;
+}
+
+bool set_color(Style& style, const Style& parent, Text text) {
+  if (equal_ignoring_case(text, "currentColor")) {
+    style.color = parent.color;
+    return true;
+  }
+  return assign(style.color, parse_css_color(text));
+}
+
+bool set_font_size(Style& style, const Style& parent, Text text) {
+  return assign(style.font_size, parse_font_size(text, parent.font_size));
+}
+
+bool set_marker(Style& style, const Style& parent, Text text) {
+  return set_url<&Style::marker_start>(style, parent, text) &&
+         set_url<&Style::marker_mid>(style, parent, text) &&
+         set_url<&Style::marker_end>(style, parent, text);
+}
+
+void copy_marker(Style& to, const Style& from) {
+  to.marker_start = from.marker_start;
+  to.marker_mid = from.marker_mid;
+  to.marker_end = from.marker_end;
+}
+
+bool set_transform(Style& style, const Style& /*parent*/, Text text) {
+  return assign(style.transform, parse_transform_property(text, style.font_size));
+}
+
+std::optional<FillRule> parse_fill_rule(Text text) {
+  return find_keyword<FillRule>(text,
+                                {{"nonzero", FillRule::kNonZero}, {"evenodd", FillRule::kEvenOdd}});
+}
+
+std::optional<LineCap> parse_line_cap(Text text) {
+  return find_keyword<LineCap>(
+      text, {{"butt", LineCap::kButt}, {"round", LineCap::kRound}, {"square", LineCap::kSquare}});
+}
+
+// The joins that SVG 2 adds fall back to a miter.
+std::optional<LineJoin> parse_line_join(Text text) {
+  return find_keyword<LineJoin>(text, {{"miter", LineJoin::kMiter},
+                                       {"round", LineJoin::kRound},
+                                       {"bevel", LineJoin::kBevel},
+                                       {"miter-clip", LineJoin::kMiter},
+                                       {"arcs", LineJoin::kMiter}});
+}
+
+std::optional<Visibility> parse_visibility(Text text) {
+  return find_keyword<Visibility>(text, {{"visible", Visibility::kVisible},
+                                         {"hidden", Visibility::kHidden},
+                                         {"collapse", Visibility::kHidden}});
+}
+
+// Everything but "none" draws.
+std::optional<Display> parse_display(Text text) {
+  return equal_ignoring_case(text, "none") ? Display::kNone : Display::kInline;
+}
+
+std::optional<Overflow> parse_overflow(Text text) {
+  return find_keyword<Overflow>(text, {{"visible", Overflow::kVisible},
+                                       {"auto", Overflow::kVisible},
+                                       {"hidden", Overflow::kHidden},
+                                       {"scroll", Overflow::kHidden}});
+}
+
+std::optional<bool> parse_vector_effect(Text text) {
+  return find_keyword<bool>(text, {{"none", false}, {"non-scaling-stroke", true}});
+}
+
+// --- The table, sorted by name ------------------------------------------------------------------
+
+template <auto Member, auto Parse>
+constexpr Property property(Text name) {
+  return {name, set<Member, Parse>, copy<Member>};
+}
+
+template <auto Member>
+constexpr Property automatic_size(Text name) {
+  return {name, set_automatic_size<Member>, copy<Member>};
+}
+
+template <auto Member>
+constexpr Property text_property(Text name) {
+  return {name, set_text<Member>, copy<Member>};
+}
+
+template <auto Member>
+constexpr Property url_property(Text name) {
+  return {name, set_url<Member>, copy<Member>};
+}
+
+constexpr Property kProperties[] = {
+    text_property<&Style::clip_path>("clip-path"),
+    property<&Style::clip_rule, parse_fill_rule>("clip-rule"),
+    {"color", set_color, copy<&Style::color>},
+    property<&Style::center_x, parse_length>("cx"),
+    property<&Style::center_y, parse_length>("cy"),
+    property<&Style::display, parse_display>("display"),
+    property<&Style::fill, parse_paint>("fill"),
+    property<&Style::fill_opacity, parse_opacity>("fill-opacity"),
+    property<&Style::fill_rule, parse_fill_rule>("fill-rule"),
+    text_property<&Style::filter>("filter"),
+    {"font-size", set_font_size, copy<&Style::font_size>},
+    automatic_size<&Style::height>("height"),
+    {"marker", set_marker, copy_marker},
+    url_property<&Style::marker_end>("marker-end"),
+    url_property<&Style::marker_mid>("marker-mid"),
+    url_property<&Style::marker_start>("marker-start"),
+    text_property<&Style::mask>("mask"),
+    text_property<&Style::blend_mode>("mix-blend-mode"),
+    property<&Style::opacity, parse_opacity>("opacity"),
+    property<&Style::overflow, parse_overflow>("overflow"),
+    property<&Style::stroke_first, parse_paint_order>("paint-order"),
+    property<&Style::radius, parse_size>("r"),
+    automatic_size<&Style::radius_x>("rx"),
+    automatic_size<&Style::radius_y>("ry"),
+    property<&Style::stop_color, parse_solid>("stop-color"),
+    property<&Style::stop_opacity, parse_opacity>("stop-opacity"),
+    property<&Style::stroke, parse_paint>("stroke"),
+    property<&Style::dash_array, parse_dash_array>("stroke-dasharray"),
+    property<&Style::dash_offset, parse_length>("stroke-dashoffset"),
+    property<&Style::line_cap, parse_line_cap>("stroke-linecap"),
+    property<&Style::line_join, parse_line_join>("stroke-linejoin"),
+    property<&Style::miter_limit, parse_miter_limit>("stroke-miterlimit"),
+    property<&Style::stroke_opacity, parse_opacity>("stroke-opacity"),
+    property<&Style::stroke_width, parse_size>("stroke-width"),
+    {"transform", set_transform, copy<&Style::transform>},
+    property<&Style::non_scaling_stroke, parse_vector_effect>("vector-effect"),
+    property<&Style::visibility, parse_visibility>("visibility"),
+    automatic_size<&Style::width>("width"),
+    property<&Style::x, parse_length>("x"),
+    property<&Style::y, parse_length>("y"),
+};
+static_assert(std::ranges::is_sorted(kProperties, {}, &Property::name));
+
+}  // namespace
+
+const Property* find_property(std::string_view name) {
+  const auto* const found = std::ranges::lower_bound(kProperties, name, {}, &Property::name);
+  return found != std::end(kProperties) && found->name == name ? found : nullptr;
+}
+
+bool apply(const Property& property, std::string_view value, ComputedStyle& style,
+           const ComputedStyle& parent) {
+  value = trimmed(value);
+  if (equal_ignoring_case(value, "inherit")) {
+    property.copy(style, parent);
+    return true;
+  }
+  if (equal_ignoring_case(value, "initial")) {
+    property.copy(style, ComputedStyle{});
+    return true;
+  }
+  return property.set(style, parent, value);
+}
+
+std::string_view take_url(std::string_view text, std::string_view& rest) {
+  rest = text;
+  if (text.size() < 4 || !equal_ignoring_case(text.substr(0, 4), "url(")) return {};
+  const std::size_t end = text.find(')');
+  if (end == text.npos) return {};
+  std::string_view url = trimmed(text.substr(4, end - 4));
+  rest = text.substr(end + 1);
+  if (url.size() >= 2 && (url[0] == '"' || url[0] == '\'') && url.back() == url[0]) {
+    url = trimmed(url.substr(1, url.size() - 2));
+  }
+  return url;
+}
+
+}  // namespace libstyle::svg
