@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts the records of a document together: ids that are unique, names and notes of the elements.
+#pragma once
+
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "converters/svg/xml.h"
+#include "libstyle/curves/document.h"
+
+namespace libstyle::svg {
+
+// Gives out ids of which no two are the same. What is wanted again, because `use` draws it twice or
+// the file has it twice, ends in "~2", "~3" and so on; what has no id becomes "~1", "~2".
+class OutputIds {
+ public:
+  std::string make(std::string_view wanted);
+
+ private:
+  std::map<std::string, int, std::less<>> counts_;
+};
+
+// How a group as a whole is drawn.
+struct GroupLook {
+  double opacity = 1;
+  std::string clip;
+  bool hidden = false;
+};
+
+class DocumentBuilder {
+ public:
+  DocumentBuilder(const XmlFile& file, Document& document) : file_(file), document_(document) {}
+
+  // Adds a group for an element, or none when it would carry nothing. Returns the id that its
+  // members are in.
+  std::string add_group(pugi::xml_node element, const GroupLook& look, const std::string& parent);
+
+  // Adds a path for an element, with the element's id and notes.
+  void add_path(pugi::xml_node element, PathRecord path, const std::string& parent);
+
+  // Adds a clip and returns its id. `element` may be null.
+  std::string add_clip(pugi::xml_node element, std::vector<ClipPart> parts,
+                       const std::string& outer_clip);
+
+ private:
+  void describe(RecordBase& record, pugi::xml_node element) const;
+
+  const XmlFile& file_;
+  Document& document_;
+  OutputIds ids_;
+};
+
+}  // namespace libstyle::svg

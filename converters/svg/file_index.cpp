@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/file_index.h"
+
+#include <string>
+
+#include "converters/svg/element_kind.h"
+#include "converters/svg/scanner.h"
+
+namespace libstyle::svg {
+namespace {
+
+// The node after `node` in the order of the file.
+pugi::xml_node next_in_file(pugi::xml_node node) {
+  if (node.first_child()) return node.first_child();
+  while (node && !node.next_sibling()) node = node.parent();
+  return node.next_sibling();
+}
+
+}  // namespace
+
+FileIndex::FileIndex(const XmlFile& file, const std::string& last_sheet, Reporter& reporter,
+                     const WarningHandler& warn) {
+  for (pugi::xml_node node = file.document().first_child(); node; node = next_in_file(node)) {
+    if (node.type() == pugi::node_element) {
+      visit(node, file, reporter, warn);
+    } else if (node.type() == pugi::node_pi && std::string_view(node.name()) == "xml-stylesheet") {
+      warn({file.place(node), "", "a style sheet in another file is not opened"});
+    }
+  }
+  sheets_.add(last_sheet, {"style sheet", 0}, warn);
+}
+
+void FileIndex::visit(pugi::xml_node element, const XmlFile& file, Reporter& reporter,
+                      const WarningHandler& warn) {
+  const std::string_view id = element.attribute("id").value();
+  if (!id.empty()) elements_.try_emplace(id, element);
+  const std::string_view name = element.name();
+  if (name == "style") {
+    add_sheet(element, file, warn);
+  } else if (element_kind(name) == ElementKind::kActive) {
+    reporter.warn(element, std::string(name) + " is not carried");
+  }
+}
+
+void FileIndex::add_sheet(pugi::xml_node element, const XmlFile& file, const WarningHandler& warn) {
+  const std::string_view type = trimmed(element.attribute("type").value());
+  if (!type.empty() && !equal_ignoring_case(type.substr(0, type.find(';')), "text/css")) {
+    warn({file.place(element), "", "a style sheet of type " + std::string(type) + " is left out"});
+    return;
+  }
+  std::string text;
+  for (const pugi::xml_node child : element.children()) text += child.value();
+  sheets_.add(text, file.place(element), warn);
+}
+
+pugi::xml_node FileIndex::find(std::string_view id) const {
+  const auto found = elements_.find(id);
+  return found == elements_.end() ? pugi::xml_node() : found->second;
+}
+
+pugi::xml_node FileIndex::find_reference(std::string_view reference) const {
+  return reference.starts_with('#') ? find(reference.substr(1)) : pugi::xml_node();
+}
+
+pugi::xml_node FileIndex::find_target(pugi::xml_node element) const {
+  return find_reference(link_of(element));
+}
+
+std::string_view link_of(pugi::xml_node element) {
+  pugi::xml_attribute link = element.attribute("href");
+  if (!link) link = element.attribute("xlink:href");
+  return trimmed(link.value());
+}
+
+}  // namespace libstyle::svg
