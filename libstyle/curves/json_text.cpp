@@ -53,4 +53,14 @@ void append_json_string(std::string& text, std::string_view value) {
   text += '"';
 }
 
+std::optional<std::string> parse_json_string(std::string_view json) {
+  if (json.size() < 2 || json.front() != '"' || json.back() != '"') return std::nullopt;
+  const std::string_view inside = json.substr(1, json.size() - 2);
+  if (std::ranges::all_of(inside, is_plain)) return std::string(inside);
+  simdjson::dom::parser parser;
+  std::string_view text;
+  if (parser.parse(json.data(), json.size()).get(text) != simdjson::SUCCESS) return std::nullopt;
+  return std::string(text);
+}
+
 }  // namespace libstyle

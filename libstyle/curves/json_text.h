@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON as text. Internal to libstyle/curves.
+// JSON texts in quotes, as the values of extras are kept.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,5 +10,8 @@ namespace libstyle {
 
 // Appends `value` in quotes, escaped where JSON asks for it. Throws Error when it is not UTF-8.
 void append_json_string(std::string& text, std::string_view value);
+
+// The text that a JSON string means. Nothing when `json` is anything else.
+std::optional<std::string> parse_json_string(std::string_view json);
 
 }  // namespace libstyle
