@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/carried_keys.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include "converters/svg/scanner.h"
+#include "libstyle/base/error.h"
+#include "libstyle/curves/reader.h"
+#include "libstyle/curves/writer.h"
+#include "libstyle/geometry/path_data.h"
+
+namespace libstyle::svg {
+namespace {
+
+bool is_name_character(char c) {
+  const char lower = to_lower(c);
+  return (lower >= 'a' && lower <= 'z') || is_digit(c) || c == '-' || c == '_' || c == '.' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+// What every record of its type has, when it says nothing.
+constexpr std::string_view kEmptyPath = ",\"d\":\"\"";
+constexpr std::string_view kEmptyGradient =
+    ",\"linear\":{\"x1\":0,\"y1\":0,\"x2\":0,\"y2\":0},\"stops\":[]";
+constexpr std::string_view kEmptyClip = ",\"parts\":[]";
+
+// The keys of a record that have no attribute of their own.
+std::vector<Extra> carried_extras(const RecordBase& record) {
+  std::vector<Extra> extras;
+  std::ranges::copy_if(record.extras, std::back_inserter(extras), std::not_fn(is_data_attribute));
+  return extras;
+}
+
+// The line of a record that holds only what is to be carried. Its end and `required`, an empty
+// value of a key that each record of its type has, are taken off.
+std::string carried_line(const Record& rest, std::string_view required) {
+  std::string line;
+  append_record(line, rest);
+  line.pop_back();
+  // Quotes within texts are escaped, so this can only be the key itself.
+  const std::size_t at = line.find(required);
+  if (at != std::string::npos) line.erase(at, required.size());
+  return line;
+}
+
+template <typename T>
+std::string carried_extras_line(const T& record, std::string_view required) {
+  T rest;
+  rest.extras = carried_extras(record);
+  return rest.extras.empty() ? "" : carried_line(rest, required);
+}
+
+// Reads one document; nothing when there is none or it is wrong.
+std::optional<Document> read_document(std::string_view text) {
+  TextSource source(text);
+  Document document;
+  try {
+    if (!Reader(source, "").read(document)) return std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return document;
+}
+
+// The record in a line that carried keys are completed to by `required`: a key with its value.
+std::optional<Record> read_carried(std::string_view carried, std::string_view required) {
+  carried = trimmed(carried);
+  if (!carried.ends_with('}')) return std::nullopt;
+  carried.remove_suffix(1);
+  std::string text = "{\"curves\":1}\n";
+  text += carried;
+  text += required;
+  text += "}\n";
+  std::optional<Document> document = read_document(text);
+  if (!document || document->records.size() != 1) return std::nullopt;
+  return std::move(document->records.front());
+}
+
+void append_extras(RecordBase& record, const RecordBase& carried) {
+  record.extras.insert(record.extras.end(), carried.extras.begin(), carried.extras.end());
+}
+
+template <typename T>
+bool restore_extras(std::string_view carried, std::string_view required, T& record) {
+  const std::optional<Record> read = read_carried(carried, required);
+  const T* rest = read ? std::get_if<T>(&*read) : nullptr;
+  if (rest) append_extras(record, *rest);
+  return rest != nullptr;
+}
+
+}  // namespace
+
+bool is_data_attribute(const Extra& extra) {
+  constexpr std::string_view kPrefix = "data-";
+  const std::string_view key = extra.key;
+  return key.starts_with(kPrefix) && key.size() > kPrefix.size() &&
+         std::ranges::all_of(key, is_name_character) && extra.json.starts_with('"');
+}
+
+std::string carried_keys(const PathRecord& path, bool keep_shape) {
+  PathRecord rest;
+  if (keep_shape) rest.shape = path.shape;
+  rest.along = path.along;
+  rest.extras = carried_extras(path);
+  if (rest == PathRecord{}) return "";
+  return carried_line(rest, kEmptyPath);
+}
+
+std::string carried_keys(const GroupRecord& group) { return carried_extras_line(group, ""); }
+
+std::string carried_keys(const ElementRecord& element) {
+  ElementRecord rest;
+  rest.category = element.category;
+  rest.position = element.position;
+  rest.extras = carried_extras(element);
+  return carried_line(rest, "");
+}
+
+std::string carried_keys(const GradientRecord& gradient) {
+  return carried_extras_line(gradient, kEmptyGradient);
+}
+
+std::string carried_keys(const ClipRecord& clip) { return carried_extras_line(clip, kEmptyClip); }
+
+bool restore_carried_keys(std::string_view carried, PathRecord& path) {
+  std::optional<Record> record = read_carried(carried, ",\"d\":\"" + to_path_data(path.path) + '"');
+  auto* rest = record ? std::get_if<PathRecord>(&*record) : nullptr;
+  if (!rest) return false;
+  if (!rest->shape.empty()) path.shape = std::move(rest->shape);
+  path.along = std::move(rest->along);
+  append_extras(path, *rest);
+  return true;
+}
+
+std::optional<Record> restore_carried_keys(std::string_view carried, const GroupRecord& group) {
+  std::optional<Record> record = read_carried(carried, "");
+  if (!record) return std::nullopt;
+  if (auto* element = std::get_if<ElementRecord>(&*record)) {
+    const std::vector<Extra> extras = std::move(element->extras);
+    static_cast<RecordBase&>(*element) = group;
+    element->extras.insert(element->extras.end(), extras.begin(), extras.end());
+    return record;
+  }
+  const auto* rest = std::get_if<GroupRecord>(&*record);
+  if (!rest) return std::nullopt;
+  GroupRecord whole = group;
+  append_extras(whole, *rest);
+  return whole;
+}
+
+bool restore_carried_keys(std::string_view carried, GradientRecord& gradient) {
+  return restore_extras(carried, kEmptyGradient, gradient);
+}
+
+bool restore_carried_keys(std::string_view carried, ClipRecord& clip) {
+  return restore_extras(carried, kEmptyClip, clip);
+}
+
+std::optional<Document> restore_carried_records(std::string_view carried) {
+  std::string text;
+  while (!carried.empty()) {  // lines are indented
+    const std::size_t end = std::min(carried.find('\n'), carried.size());
+    text += trimmed(carried.substr(0, end));
+    text += '\n';
+    carried.remove_prefix(std::min(end + 1, carried.size()));
+  }
+  return read_document(text);
+}
+
+}  // namespace libstyle::svg

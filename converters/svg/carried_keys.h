@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What SVG has no place for, as text that stands in the SVG and is read back from it.
+//
+// An element carries the keys of its record that SVG does not know in the attribute "curves:keys":
+// a record line with everything taken out that the element says itself. Records that draw nothing
+// (constraints, labels, seeds, what is unknown) stand in <metadata> as record lines. Drawing
+// programs keep both; people can read and change both.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "libstyle/curves/document.h"
+
+namespace libstyle::svg {
+
+// The namespace of what we add to SVG, and the names in it.
+inline constexpr std::string_view kCurvesNamespace = "urn:libstyle:curves";
+inline constexpr const char* kCarriedKeys = "curves:keys";
+inline constexpr const char* kCarriedRecords = "curves:records";
+
+// Whether a key becomes an attribute of its own: "data-" and a name, with a text as value.
+bool is_data_attribute(const Extra& extra);
+
+// The attribute's value; empty when there is nothing to carry. `keep_shape` is for paths that are
+// not written as the shape they were.
+std::string carried_keys(const PathRecord& path, bool keep_shape);
+std::string carried_keys(const GroupRecord& group);
+std::string carried_keys(const ElementRecord& element);
+std::string carried_keys(const GradientRecord& gradient);
+std::string carried_keys(const ClipRecord& clip);
+
+// Puts the keys that an attribute carries into a record: shape, values along the curve and unknown
+// keys. Returns false, leaving the path alone, when the text is no record line or does not fit to
+// the path, whose vertices may have been edited since.
+bool restore_carried_keys(std::string_view carried, PathRecord& path);
+
+// As above for a group; it becomes the element that it was, if it was one.
+std::optional<Record> restore_carried_keys(std::string_view carried, const GroupRecord& group);
+
+// As above for gradients and clips: their unknown keys.
+bool restore_carried_keys(std::string_view carried, GradientRecord& gradient);
+bool restore_carried_keys(std::string_view carried, ClipRecord& clip);
+
+// Reads the lines of <metadata>: a header and records. Nothing when they are not that.
+std::optional<Document> restore_carried_records(std::string_view carried);
+
+}  // namespace libstyle::svg

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gradients and clips as elements that paths refer to.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "converters/svg/record_ids.h"
+#include "converters/svg/xml_writer.h"
+#include "libstyle/curves/document.h"
+
+namespace libstyle::svg {
+
+// `user_from_page` is for users with a transform of their own.
+void write_gradient(XmlWriter& xml, const GradientRecord& gradient, std::string_view id,
+                    const Transform& user_from_page);
+
+void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, const RecordIds& ids);
+
+// clip-path="url(#...)", or nothing when there is no such clip.
+void write_clip_reference(XmlWriter& xml, std::string_view clip, const RecordIds& ids);
+
+// class, inkscape:label and the data-* attributes.
+void write_notes(XmlWriter& xml, const RecordBase& record);
+
+}  // namespace libstyle::svg
