@@ -17,4 +17,7 @@ void append_number(std::string& text, double value);
 // Independent of the locale.
 bool take_number(std::string_view& text, double& value);
 
+// The same for text from `begin` to `end`: returns the end of the number, or null.
+const char* parse_number(const char* begin, const char* end, double& value);
+
 }  // namespace libstyle

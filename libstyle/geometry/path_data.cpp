@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/geometry/path_data.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "libstyle/base/error.h"
 #include "libstyle/base/number.h"
 
@@ -11,27 +14,39 @@ bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\v')
 
 class PathDataParser {
  public:
-  explicit PathDataParser(std::string_view text) : text_(text), rest_(text) {}
+  explicit PathDataParser(std::string_view text)
+      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
 
   Path parse() {
-    for (skip_space(); !rest_.empty(); skip_space()) take_command();
+    reserve();
+    for (skip_space(); at_ != end_; skip_space()) take_command();
     return std::move(path_);
   }
 
  private:
+  // Makes room for as many points as there are pairs of spaces: exact for the format's own writer,
+  // near for others.
+  void reserve() {
+    const auto spaces = static_cast<std::size_t>(std::count(begin_, end_, ' '));
+    const auto longest = static_cast<std::size_t>(end_ - begin_) / 4;  // a point is "M0 0" at least
+    const std::size_t points = std::min(spaces / 2, longest) + 1;
+    path_.reserve(points, points);
+  }
+
   void take_command() {
-    const char letter = rest_.front();
+    const char letter = *at_;
     switch (letter) {
       case 'M':
       case 'L':
       case 'C':
-        rest_.remove_prefix(1);
         if (letter != 'M') require_subpath();
+        ++at_;
+        skip_space();
         take_segments(letter);
         return;
       case 'Z':
         require_subpath();
-        rest_.remove_prefix(1);
+        ++at_;
         path_.close();
         in_subpath_ = false;
         return;
@@ -63,29 +78,29 @@ class PathDataParser {
   }
 
   double take_coordinate() {
-    skip_space();
     double value = 0;
-    if (!take_number(rest_, value)) fail("a number is missing or too large for a double");
+    const char* const rest = parse_number(at_, end_, value);
+    if (!rest) fail("a number is missing or too large for a double");
+    at_ = rest;
     skip_separator();
     return value;
   }
 
-  bool continues_with_number() {
+  bool continues_with_number() const {
     if (after_comma_) return true;
-    if (rest_.empty()) return false;
-    const char c = rest_.front();
-    return (c >= '0' && c <= '9') || c == '-' || c == '.';
+    if (at_ == end_) return false;
+    return (*at_ >= '0' && *at_ <= '9') || *at_ == '-' || *at_ == '.';
   }
 
   void skip_space() {
-    while (!rest_.empty() && is_space(rest_.front())) rest_.remove_prefix(1);
+    while (at_ != end_ && is_space(*at_)) ++at_;
   }
 
   void skip_separator() {
     skip_space();
-    after_comma_ = rest_.starts_with(',');
+    after_comma_ = at_ != end_ && *at_ == ',';
     if (!after_comma_) return;
-    rest_.remove_prefix(1);
+    ++at_;
     skip_space();
   }
 
@@ -99,12 +114,12 @@ class PathDataParser {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error("path data, character " + std::to_string(text_.size() - rest_.size() + 1) + ": " +
-                what);
+    throw Error("path data, character " + std::to_string(at_ - begin_ + 1) + ": " + what);
   }
 
-  std::string_view text_;
-  std::string_view rest_;
+  const char* const begin_;
+  const char* at_;
+  const char* const end_;
   Path path_;
   bool in_subpath_ = false;
   bool after_comma_ = false;
