@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a walk over the example along a line.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "libstyle/analogy/chain.h"
+#include "libstyle/analogy/example.h"
+#include "libstyle/analogy/style_grid.h"
+#include "libstyle/analogy/sweep.h"
+#include "libstyle/geometry/polyline.h"
+
+namespace libstyle {
+
+// A piece of the example copied in one go: steps first .. first + steps - 1 of the line are the
+// states origin, origin + 1, ...
+struct ChainRun {
+  std::size_t first = 0;
+  std::size_t steps = 0;
+  ChainState origin = 0;
+
+  friend bool operator==(const ChainRun&, const ChainRun&) = default;
+};
+
+std::vector<ChainRun> find_runs(const Example& example, std::span<const ChainState> walk);
+
+struct DrawnLine {
+  Polyline curve;
+  std::vector<double> lengths;  // along the plain line, for each point; never falling
+};
+
+// Stages:
+//  1. Each run is copied: its offsets go from the frames of the example into those of the line, at
+//     the local scale.
+//  2. Half a feature size to each side of a jump the two runs fade into each other.
+//  3. What the fade bends is put right over three feature sizes to each side (stitch.h): the shapes
+//     of the runs count, not the places.
+//  4. If `keep_ends`, an open line is moved to its end points (warp.h), which are then met exactly.
+DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
+                    std::span<const ChainState> walk, bool keep_ends);
+
+}  // namespace libstyle

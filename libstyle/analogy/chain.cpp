@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/chain.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "libstyle/analogy/message_tape.h"
+
+namespace libstyle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double landing_share(const ChainModel& model) {
+  const int landings = std::accumulate(model.landing.begin(), model.landing.end(), 0);
+  assert(landings > 0);
+  return 1.0 / landings;
+}
+
+std::vector<double> step_costs(const ChainModel& model, const ChainTask& task, std::size_t step) {
+  std::vector<double> costs(model.state_count(), 0.0);
+  if (task.costs) task.costs(step, costs);
+  return costs;
+}
+
+// The probability of what follows the last step: anything, or the return to the origin.
+double ending_probability(const ChainModel& model, const ChainTask& task, ChainState from) {
+  return task.returns ? transition_probability(model, from, *task.origin) : 1.0;
+}
+
+// ---- Sampling: sums of probabilities --------------------------------------------------------
+
+class SumMessages {
+ public:
+  SumMessages(const ChainModel& model, const ChainTask& task)
+      : model_(model), task_(task), landing_share_(landing_share(model)) {}
+
+  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
+    const std::vector<double> costs = step_costs(model_, task_, step);
+    const double least_cost = *std::ranges::min_element(costs);
+    const double mean = next.empty() ? 0 : landing_mean(next);
+    double largest = 0;
+    for (ChainState j = 0; j < message.size(); ++j) {
+      message[j] = std::exp(least_cost - costs[j]) * follow(j, next, mean);
+      largest = std::max(largest, message[j]);
+    }
+    for (double& value : message) value /= largest;
+  }
+
+  // The distribution of the state after `from`, up to a factor.
+  void weigh_successors(ChainState from, std::span<const double> message,
+                        std::span<double> weights) const {
+    const ChainRow& row = model_.rows[from];
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      weights[k] = model_.landing[k] ? row.anywhere * landing_share_ * message[k] : 0.0;
+    }
+    if (row.coherent > 0) weights[from + 1] += row.coherent * message[from + 1];
+    for (const ChainJump& jump : row.jumps) {
+      weights[jump.target] += jump.probability * message[jump.target];
+    }
+  }
+
+ private:
+  double landing_mean(std::span<const double> next) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < next.size(); ++k) sum += model_.landing[k] ? next[k] : 0.0;
+    return sum * landing_share_;
+  }
+
+  double follow(ChainState from, std::span<const double> next, double mean) const {
+    if (next.empty()) return ending_probability(model_, task_, from);
+    const ChainRow& row = model_.rows[from];
+    double sum = row.anywhere * mean;
+    if (row.coherent > 0) sum += row.coherent * next[from + 1];
+    for (const ChainJump& jump : row.jumps) sum += jump.probability * next[jump.target];
+    return sum;
+  }
+
+  const ChainModel& model_;
+  const ChainTask& task_;
+  double landing_share_;
+};
+
+// ---- Best path: least costs -----------------------------------------------------------------
+
+class LeastMessages {
+ public:
+  LeastMessages(const ChainModel& model, const ChainTask& task)
+      : model_(model), task_(task), landing_share_(landing_share(model)) {
+    for (ChainState j = 0; j < model.state_count(); ++j) {
+      const ChainRow& row = model.rows[j];
+      anywhere_costs_.push_back(-std::log(row.anywhere * landing_share_));
+      coherent_costs_.push_back(row.coherent > 0 ? -std::log(row.coherent + landing_at(j + 1, row))
+                                                 : kInfinity);
+      for (const ChainJump& jump : row.jumps) {
+        jump_costs_.push_back(-std::log(jump.probability + landing_at(jump.target, row)));
+      }
+      first_jump_.push_back(jump_costs_.size() - row.jumps.size());
+    }
+  }
+
+  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
+    const std::vector<double> costs = step_costs(model_, task_, step);
+    const Choice landing = next.empty() ? Choice{} : best_landing(next);
+    for (ChainState j = 0; j < message.size(); ++j) {
+      message[j] = costs[j] + (next.empty() ? -std::log(ending_probability(model_, task_, j))
+                                            : best_successor(j, next, landing).cost);
+    }
+  }
+
+  ChainState best_successor(ChainState from, std::span<const double> message) const {
+    return best_successor(from, message, best_landing(message)).state;
+  }
+
+ private:
+  struct Choice {
+    double cost = kInfinity;
+    ChainState state = 0;
+
+    void consider(double other_cost, ChainState other) {
+      if (other_cost < cost || (other_cost == cost && other < state)) *this = {other_cost, other};
+    }
+  };
+
+  double landing_at(ChainState state, const ChainRow& row) const {
+    return model_.landing[state] ? row.anywhere * landing_share_ : 0.0;
+  }
+
+  Choice best_landing(std::span<const double> next) const {
+    Choice best;
+    for (ChainState k = 0; k < next.size(); ++k) {
+      if (model_.landing[k]) best.consider(next[k], k);
+    }
+    return best;
+  }
+
+  Choice best_successor(ChainState from, std::span<const double> next, Choice landing) const {
+    const ChainRow& row = model_.rows[from];
+    Choice best{landing.cost + anywhere_costs_[from], landing.state};
+    if (row.coherent > 0) best.consider(next[from + 1] + coherent_costs_[from], from + 1);
+    for (std::size_t i = 0; i < row.jumps.size(); ++i) {
+      const ChainState target = row.jumps[i].target;
+      best.consider(next[target] + jump_costs_[first_jump_[from] + i], target);
+    }
+    return best;
+  }
+
+  const ChainModel& model_;
+  const ChainTask& task_;
+  double landing_share_;
+  std::vector<double> anywhere_costs_;
+  std::vector<double> coherent_costs_;
+  std::vector<double> jump_costs_;
+  std::vector<std::size_t> first_jump_;
+};
+
+}  // namespace
+
+std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& task,
+                                     const RandomStream& random, std::uint64_t first_place) {
+  const SumMessages messages(model, task);
+  MessageTape tape(task.steps, model.state_count(), std::cref(messages));
+  std::vector<double> weights(model.state_count());
+  std::vector<ChainState> walk;
+  walk.reserve(task.steps);
+  for (std::size_t step = 0; step < task.steps; ++step) {
+    const std::span<const double> message = tape.at(step);
+    if (step == 0 && task.origin) {
+      walk.push_back(*task.origin);
+      continue;
+    }
+    if (step == 0) {
+      std::ranges::copy(message, weights.begin());
+    } else {
+      messages.weigh_successors(walk.back(), message, weights);
+    }
+    walk.push_back(static_cast<ChainState>(random.choose(first_place + step, weights)));
+  }
+  return walk;
+}
+
+std::vector<ChainState> best_chain(const ChainModel& model, const ChainTask& task) {
+  const LeastMessages messages(model, task);
+  MessageTape tape(task.steps, model.state_count(), std::cref(messages));
+  std::vector<ChainState> walk;
+  walk.reserve(task.steps);
+  for (std::size_t step = 0; step < task.steps; ++step) {
+    const std::span<const double> message = tape.at(step);
+    if (step > 0) {
+      walk.push_back(messages.best_successor(walk.back(), message));
+    } else if (task.origin) {
+      walk.push_back(*task.origin);
+    } else {
+      walk.push_back(static_cast<ChainState>(std::ranges::min_element(message) - message.begin()));
+    }
+  }
+  return walk;
+}
+
+double transition_probability(const ChainModel& model, ChainState from, ChainState to) {
+  const ChainRow& row = model.rows[from];
+  double sum = model.landing[to] ? row.anywhere * landing_share(model) : 0.0;
+  if (to == from + 1) sum += row.coherent;
+  for (const ChainJump& jump : row.jumps) {
+    if (jump.target == to) sum += jump.probability;
+  }
+  return sum;
+}
+
+}  // namespace libstyle

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Markov chain over the pieces of an example, sampled exactly or solved for its best path.
+//
+// The example is cut into pieces of equal length, the states. A walk that makes a new curve goes on
+// to the next piece most of the time (a coherent step, copying the example verbatim) and now and
+// then jumps to another place that looks alike. A last, tiny share of the probability leads
+// anywhere, so that every condition on the walk can be met.
+//
+//     P(j, k) = coherent[j] [k = j + 1]  +  jump[j][k]  +  anywhere[j] landing[k] / landings
+//
+// Sampling: backward filtering, forward sampling. Messages m_i(j) = l_i(j) sum_k P(j, k)
+// m_{i+1}(k), scaled to a maximum of 1 at each step so that no length underflows, give the exact
+// conditional distribution of each state given the one before it and everything that follows. The
+// best path is the same recursion with (min, +) in place of (+, *): Viterbi's algorithm from the
+// end. Both cost O(steps * (states + jumps)) time and O(sqrt(steps) * states) memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "libstyle/base/random.h"
+
+namespace libstyle {
+
+using ChainState = std::uint32_t;
+
+struct ChainJump {
+  ChainState target = 0;
+  double probability = 0;
+};
+
+// The transitions out of one state; with the landing share they sum to 1.
+struct ChainRow {
+  double coherent = 0;           // to the next state; 0 at the end of an example
+  double anywhere = 0;           // shared equally by all landings; > 0
+  std::vector<ChainJump> jumps;  // targets rising, each once, none of them the next state
+};
+
+struct ChainModel {
+  std::vector<ChainRow> rows;
+  std::vector<std::uint8_t> landing;  // 1 where a jump may land; at least one
+
+  std::size_t state_count() const { return rows.size(); }
+};
+
+// Adds to costs[j] what it costs (-log of a likelihood, finite) that `step` is drawn from state j.
+using StepCosts = std::function<void(std::size_t step, std::span<double> costs)>;
+
+// What a walk has to do.
+struct ChainTask {
+  std::size_t steps = 0;
+  StepCosts costs;                   // may be empty
+  std::optional<ChainState> origin;  // the first state, if it is given
+  bool returns = false;  // the last step leads back to `origin`, which is given: a closed curve
+};
+
+// A walk with the probability that the chain gives to it under the task. `random` is asked for one
+// number a step, at places first_place, first_place + 1, ...
+std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& task,
+                                     const RandomStream& random, std::uint64_t first_place = 0);
+
+// The most probable walk; of equals the one with the lowest states.
+std::vector<ChainState> best_chain(const ChainModel& model, const ChainTask& task);
+
+// The probability of a step from one state to another.
+double transition_probability(const ChainModel& model, ChainState from, ChainState to);
+
+}  // namespace libstyle

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/curve_analogy.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/plain_lines.h"
+#include "libstyle/analogy/shape_costs.h"
+#include "libstyle/analogy/style_grid.h"
+#include "libstyle/base/error.h"
+#include "libstyle/base/random.h"
+#include "libstyle/geometry/arc_length.h"
+
+namespace libstyle {
+namespace {
+
+// How far off the line a walk may begin and end, as a share of the reach of the style: what is
+// left over is bent onto the end points.
+constexpr double kEndSpread = 0.15;
+
+// Feature sizes over which a corner is looked at.
+constexpr double kCornerReach = 0.5;
+
+// Lets open lines begin and end where the example crosses its unfiltered curve.
+class EndCosts {
+ public:
+  EndCosts(const Example& example, std::size_t steps) : last_step_(steps - 1) {
+    const double spread = kEndSpread * example.reach();
+    for (std::size_t j = 0; j < example.state_count(); ++j) {
+      const double start = example.length_of(j);
+      starts_.push_back(cost(example.line(j).at(start).offset, spread));
+      ends_.push_back(cost(example.line(j).at(start + example.step()).offset, spread));
+    }
+  }
+
+  void add(std::size_t step, std::span<double> costs) const {
+    for (std::size_t j = 0; j < costs.size(); ++j) {
+      if (step == 0) costs[j] += starts_[j];
+      if (step == last_step_) costs[j] += ends_[j];
+    }
+  }
+
+ private:
+  static double cost(Vector offset, double spread) {
+    return spread > 0 ? squared_norm(offset) / (2 * spread * spread) : 0;
+  }
+
+  std::size_t last_step_;
+  std::vector<double> starts_, ends_;
+};
+
+StyledCurve unchanged(const Polyline& curve) {
+  StyledCurve result;
+  result.curve = curve;
+  result.lengths = cumulative_lengths(curve);
+  result.lengths.resize(curve.points.size());
+  return result;
+}
+
+}  // namespace
+
+class CurveAnalogy::Implementation {
+ public:
+  Implementation(std::span<const ExamplePair> pairs, const CurveAnalogyParameters& parameters)
+      : parameters_((validate(parameters), parameters)),
+        example_(pairs, parameters),
+        jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)) {}
+
+  StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
+
+  const Example& example() const { return example_; }
+
+ private:
+  struct DrawnPart {
+    DrawnLine line;
+    std::vector<ChainRun> runs;
+    double scaled_length = 0;
+  };
+
+  DrawnPart draw_line(const Polyline& line, std::uint64_t place, std::uint64_t part) const;
+  std::vector<ChainState> walk_randomly(const StyleGrid& grid, bool closed,
+                                        const RandomStream& random, std::uint64_t first) const;
+  std::vector<ChainState> walk_by_shape(const Sweep& line, const StyleGrid& grid) const;
+  ChainState random_origin(const RandomStream& random, std::uint64_t first) const;
+
+  CurveAnalogyParameters parameters_;
+  Example example_;
+  JumpModel jumps_;
+};
+
+StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place) const {
+  for (const Point p : curve.points) {
+    if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
+  }
+  std::optional<double> corner_angle;
+  if (parameters_.shape_weight == 0) {
+    corner_angle = parameters_.corner_angle * std::numbers::pi / 180;
+  }
+  const std::vector<PlainLine> lines =
+      split_into_lines(curve, corner_angle, kCornerReach * example_.feature_along());
+  if (lines.empty()) return unchanged(curve);
+
+  StyledCurve result;
+  result.curve.closed = curve.closed;
+  double total = 0, scaled = 0;
+  std::size_t first_step = 0;
+  for (std::size_t part = 0; part < lines.size(); ++part) {
+    DrawnPart drawn = draw_line(lines[part].line, place, part);
+    const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
+    if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
+    const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      result.curve.points.push_back(drawn.line.curve.points[i]);
+      result.lengths.push_back(lines[part].length_before + drawn.line.lengths[i]);
+    }
+    for (ChainRun& run : drawn.runs) {
+      run.first += first_step;
+      result.runs.push_back(run);
+    }
+    if (!result.runs.empty()) first_step = result.runs.back().first + result.runs.back().steps;
+    const double length = arc_length(lines[part].line);
+    total += length;
+    scaled += drawn.scaled_length;
+  }
+  result.mean_scale = scaled / total;
+  return result;
+}
+
+CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
+    const Polyline& line, std::uint64_t place, std::uint64_t part) const {
+  const StyleGrid grid(line, example_, parameters_);
+  if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
+    StyledCurve plain = unchanged(line);
+    return {{std::move(plain.curve), std::move(plain.lengths)}, {}, 0};
+  }
+  const double blur = grid.line_scale() * example_.feature_along();
+  const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
+  const RandomStream random(parameters_.seed, place);
+  const std::vector<ChainState> walk = parameters_.shape_weight > 0
+                                           ? walk_by_shape(sweep, grid)
+                                           : walk_randomly(grid, line.closed, random, part << 32);
+  return {draw_walk(example_, sweep, grid, walk, parameters_.keep_ends), find_runs(example_, walk),
+          grid.mean_scale() * grid.length()};
+}
+
+// A jump lands most likely where closing the curve is easiest.
+ChainState CurveAnalogy::Implementation::random_origin(const RandomStream& random,
+                                                       std::uint64_t first) const {
+  std::vector<double> arrivals(example_.state_count());
+  for (std::size_t j = 0; j < arrivals.size(); ++j) arrivals[j] = jumps_.chain.landing[j] * 1e-9;
+  for (const ChainRow& row : jumps_.chain.rows) {
+    for (const ChainJump& jump : row.jumps) arrivals[jump.target] += jump.probability;
+  }
+  return static_cast<ChainState>(random.choose(first, arrivals));
+}
+
+std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const StyleGrid& grid,
+                                                                    bool closed,
+                                                                    const RandomStream& random,
+                                                                    std::uint64_t first) const {
+  ChainTask task;
+  task.steps = grid.steps();
+  if (closed) {
+    task.origin = random_origin(random, first);
+    task.returns = true;
+    return sample_chain(jumps_.chain, task, random, first);
+  }
+  if (parameters_.keep_ends) {
+    const EndCosts ends(example_, task.steps);
+    task.costs = [&ends](std::size_t step, std::span<double> costs) { ends.add(step, costs); };
+    return sample_chain(jumps_.chain, task, random, first);
+  }
+  return sample_chain(jumps_.chain, task, random, first);
+}
+
+// A closed line is walked twice round first: where that passes half-way it no longer feels its
+// ends, and the state there is where the closed walk begins.
+std::vector<ChainState> CurveAnalogy::Implementation::walk_by_shape(const Sweep& line,
+                                                                    const StyleGrid& grid) const {
+  const ShapeCosts shape(example_, line, grid, parameters_.shape_weight, jumps_.tolerance);
+  ChainTask task;
+  task.steps = grid.steps();
+  task.costs = [&](std::size_t step, std::span<double> costs) {
+    shape.add(step % grid.steps(), costs);
+  };
+  if (!line.closed()) return best_chain(jumps_.chain, task);
+  task.steps = 2 * grid.steps();
+  task.origin = best_chain(jumps_.chain, task)[grid.steps()];
+  task.steps = grid.steps();
+  task.returns = true;
+  return best_chain(jumps_.chain, task);
+}
+
+CurveAnalogy::CurveAnalogy(std::span<const ExamplePair> pairs,
+                           const CurveAnalogyParameters& parameters)
+    : implementation_(std::make_unique<Implementation>(pairs, parameters)) {}
+CurveAnalogy::~CurveAnalogy() = default;
+CurveAnalogy::CurveAnalogy(CurveAnalogy&&) noexcept = default;
+CurveAnalogy& CurveAnalogy::operator=(CurveAnalogy&&) noexcept = default;
+
+StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place) const {
+  return implementation_->draw(curve, place);
+}
+
+const Example& CurveAnalogy::example() const { return implementation_->example(); }
+
+StyledCurve draw_by_analogy(const ExamplePair& pair, const Polyline& curve,
+                            const CurveAnalogyParameters& parameters) {
+  return CurveAnalogy({&pair, 1}, parameters).draw(curve, 0);
+}
+
+}  // namespace libstyle

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a curve B again in the style of an example: A is to A' as B is to B'.
+//
+// Source: Hertzmann, Oliver, Curless and Seitz, "Curve Analogies", Eurographics Workshop on
+// Rendering 2002: the problem (sections 1 and 3.3), rigid invariance of what is compared (3.1),
+// constraints at the ends (3.2), w_B (3.6). The method is another one.
+//
+// Stages:
+//  1. The feature size F comes from the example.                               feature_size.h
+//  2. A' is written as offsets from A in the frame of A's sweep, and cut into
+//     pieces of equal length along A: the states.                              example.h
+//  3. Jumps between states cost what they show.                                jump_costs.h
+//  4. B is cut at its corners into lines, and each line into steps of the
+//     size of a state, smaller where there is no room.                         style_grid.h
+//  5. A walk over the states assigns a piece of the example to every step: a
+//     random one (w_B = 0), or the one that suits B best (w_B > 0).            chain.h
+//  6. The pieces are copied along B and stitched.                              assembly.h
+//
+// Symbols: A unfiltered, A' filtered, B line, B' drawn line, w_B shape_weight.
+//
+// Departures. The paper searches for each sample of B' the best match among the samples of A',
+// coarse to fine. Done literally, fine detail does not come back and corners knot; a chain over
+// positions of A' assigns the whole curve at once, which the greedy search only approximates, and
+// its pieces are copied as they were drawn. Positions are copied relative to A, as in "copying
+// displacements", which the paper compares itself with; the jumps remove the repetition it finds
+// fault with, and frames from blurred curves the distortion.
+//
+// Guarantees: the same seed gives the same result, on any number of threads; moving or turning A,
+// A' and B together does the same to B' (turning: under Invariance::kRotate); A' = A gives back B;
+// open lines keep their end points exactly, outlines their corners. Cost: preparing O(n^2) in the
+// states (at most 2048), drawing O(length of B / F) times O(states).
+//
+//   const CurveAnalogy style(pairs, parameters);
+//   for (std::size_t i = 0; i < curves.size(); ++i) drawn[i] = style.draw(curves[i], i);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "libstyle/analogy/assembly.h"
+#include "libstyle/analogy/example.h"
+#include "libstyle/analogy/parameters.h"
+#include "libstyle/geometry/polyline.h"
+
+namespace libstyle {
+
+struct StyledCurve {
+  Polyline curve;
+  std::vector<double> lengths;       // along B, for each point; never falling
+  std::vector<std::size_t> corners;  // points that are corners of B
+  std::vector<ChainRun> runs;        // of all lines one after the other
+  // The mean of the local scale over the length of B: 1 where the style has its own size
+  // everywhere.
+  double mean_scale = 1;
+};
+
+class CurveAnalogy {
+ public:
+  // Throws Error when a parameter is out of range or an example cannot serve.
+  CurveAnalogy(std::span<const ExamplePair> pairs, const CurveAnalogyParameters& parameters);
+  ~CurveAnalogy();
+  CurveAnalogy(CurveAnalogy&&) noexcept;
+  CurveAnalogy& operator=(CurveAnalogy&&) noexcept;
+
+  // Draws one curve. `place` tells the curves of a drawing apart: equal curves with equal places
+  // come out alike. Curves without length, or too small for the style at its smallest, come back as
+  // they are. Safe to call from several threads.
+  StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
+
+  const Example& example() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<const Implementation> implementation_;
+};
+
+// For a single curve.
+StyledCurve draw_by_analogy(const ExamplePair& pair, const Polyline& curve,
+                            const CurveAnalogyParameters& parameters = {});
+
+}  // namespace libstyle

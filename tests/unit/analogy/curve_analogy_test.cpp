@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/curve_analogy.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "libstyle/base/error.h"
+#include "libstyle/base/parallel.h"
+#include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/rigid_alignment.h"
+#include "libstyle/geometry/turning_statistics.h"
+#include "tests/support/curves.h"
+#include "tests/support/matchers.h"
+
+namespace libstyle {
+namespace {
+
+// A wave whose size and pace wander, over a straight line.
+Polyline wandering_wave(std::uint64_t seed, double length) {
+  RandomValues random(seed);
+  Polyline result;
+  double phase = 0, pace = 1, size = 5;
+  for (double x = 0; x <= length; x += 0.5) {
+    pace += 0.02 * (1 - pace) + random.normal(0.02);
+    size += 0.02 * (5 - size) + random.normal(0.1);
+    phase += 2 * std::numbers::pi * 0.5 / 22 * pace;
+    result.points.push_back({x, size * std::sin(phase)});
+  }
+  return result;
+}
+
+ExamplePair wavy_pair() {
+  ExamplePair pair;
+  pair.filtered.polyline = wandering_wave(11, 600);
+  for (const Point p : pair.filtered.polyline.points) pair.filtered.t.push_back(p.x / 600);
+  pair.unfiltered = with_length_parameter(polyline("0 0, 600 0"));
+  pair.same_parameter = true;
+  return pair;
+}
+
+Polyline s_curve() {
+  Polyline result;
+  for (int i = 0; i <= 200; ++i) {
+    result.points.push_back({3.0 * i, 60 * std::sin(2 * std::numbers::pi * i / 200)});
+  }
+  return result;
+}
+
+Polyline egg() {
+  Polyline result{{}, true};
+  for (int i = 0; i < 120; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 120;
+    result.points.push_back({(80 + 12 * std::cos(angle)) * std::cos(angle),
+                             (60 + 9 * std::sin(3 * angle)) * std::sin(angle)});
+  }
+  return result;
+}
+
+Polyline transformed(Polyline curve, const RigidTransform& transform) {
+  for (Point& p : curve.points) p = transform(p);
+  return curve;
+}
+
+ExamplePair transformed(ExamplePair pair, const RigidTransform& transform) {
+  pair.filtered.polyline = transformed(pair.filtered.polyline, transform);
+  if (pair.unfiltered)
+    pair.unfiltered->polyline = transformed(pair.unfiltered->polyline, transform);
+  return pair;
+}
+
+double distance_from(const Polyline& curve, Point p) {
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < segment_count(curve); ++i) {
+    const Point a = segment_start(curve, i), ab = segment_end(curve, i) - a;
+    const double share = std::clamp(dot(p - a, ab) / squared_norm(ab), 0.0, 1.0);
+    least = std::min(least, distance(p, a + share * ab));
+  }
+  return least;
+}
+
+// ---- Identities -----------------------------------------------------------------------------
+
+TEST(CurveAnalogy, AnExampleThatChangesNothingGivesBackTheCurve) {
+  RandomValues random(8);
+  ExamplePair pair;
+  pair.filtered = with_length_parameter(random_stroke(random, 600));
+  pair.unfiltered = pair.filtered;
+  pair.same_parameter = true;
+  for (const double shape_weight : {0.0, 2.0}) {
+    CurveAnalogyParameters parameters;
+    parameters.shape_weight = shape_weight;
+    const CurveAnalogy style({&pair, 1}, parameters);
+    for (const Polyline& curve : {s_curve(), circle({0, 0}, 90, 200)}) {
+      const StyledCurve drawn = style.draw(curve, 0);
+      for (const Point p : drawn.curve.points) EXPECT_LT(distance_from(curve, p), 0.01);
+      EXPECT_NEAR(arc_length(drawn.curve), arc_length(curve), 0.01 * arc_length(curve));
+    }
+  }
+}
+
+TEST(CurveAnalogy, AShiftedExampleShiftsTheCurve) {
+  RandomValues random(9);
+  ExamplePair pair;
+  pair.filtered = with_length_parameter(random_stroke(random, 600));
+  pair.unfiltered = pair.filtered;
+  pair.same_parameter = true;
+  const Vector shift = {7, -4};
+  for (Point& p : pair.filtered.polyline.points) p += shift;
+  CurveAnalogyParameters parameters;
+  parameters.invariance = Invariance::kTranslate;
+  parameters.keep_ends = false;
+  const Polyline curve = s_curve();
+  for (const Point p : draw_by_analogy(pair, curve, parameters).curve.points) {
+    EXPECT_LT(distance_from(curve, p - shift), 0.01);
+  }
+}
+
+TEST(CurveAnalogy, MovingAndTurningEverythingMovesTheResultAlike) {
+  const RigidTransform scene{std::cos(0.7), std::sin(0.7), {310, -95}};
+  for (const double shape_weight : {0.0, 2.0}) {
+    CurveAnalogyParameters parameters;
+    parameters.shape_weight = shape_weight;
+    // A circle would not do: with shape_weight, all places of it are equally good.
+    for (const Polyline& curve : {s_curve(), egg()}) {
+      const Polyline there =
+          transformed(draw_by_analogy(wavy_pair(), curve, parameters).curve, scene);
+      const Polyline here =
+          draw_by_analogy(transformed(wavy_pair(), scene), transformed(curve, scene), parameters)
+              .curve;
+      EXPECT_THAT(here, PolylineNear(there, 1e-7));
+    }
+  }
+}
+
+TEST(CurveAnalogy, TurningOnlyTheCurveTurnsTheResult) {
+  const RigidTransform turn{std::cos(2), std::sin(2), {5, 5}};
+  const Polyline there = transformed(draw_by_analogy(wavy_pair(), s_curve()).curve, turn);
+  const Polyline here = draw_by_analogy(wavy_pair(), transformed(s_curve(), turn)).curve;
+  EXPECT_THAT(here, PolylineNear(there, 1e-7));
+}
+
+TEST(CurveAnalogy, TranslationKeepsTheDirectionOfTheStyle) {
+  // The example strays along y only; so does what is drawn, whatever the line's direction.
+  CurveAnalogyParameters parameters;
+  parameters.invariance = Invariance::kTranslate;
+  const Polyline line = polyline("0 0, 0 300");
+  const StyledCurve drawn = draw_by_analogy(wavy_pair(), line, parameters);
+  for (const Point p : drawn.curve.points) EXPECT_NEAR(p.x, 0, 1e-9);
+}
+
+// ---- Ends, corners, closing -----------------------------------------------------------------
+
+TEST(CurveAnalogy, OpenCurvesKeepTheirEndsExactly) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for_each_seed(20, [&](std::uint64_t seed) {
+    RandomValues random(seed);
+    const Polyline curve = random_stroke(random, 20 + random.below(400));
+    const StyledCurve drawn = style.draw(curve, seed);
+    EXPECT_EQ(drawn.curve.points.front(), curve.points.front());
+    EXPECT_EQ(drawn.curve.points.back(), curve.points.back());
+  });
+}
+
+TEST(CurveAnalogy, OutlinesKeepTheirCornersExactly) {
+  const Polyline outline = polyline("0 0, 200 0, 200 120, 0 120 z");
+  const StyledCurve drawn = draw_by_analogy(wavy_pair(), outline);
+  EXPECT_TRUE(drawn.curve.closed);
+  ASSERT_EQ(drawn.corners.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(drawn.curve.points[drawn.corners[i]], outline.points[i]);
+  }
+}
+
+TEST(CurveAnalogy, ClosedCurvesCloseWithoutASeam) {
+  const ExamplePair pair = wavy_pair();
+  for (const double shape_weight : {0.0, 2.0}) {
+    CurveAnalogyParameters parameters;
+    parameters.shape_weight = shape_weight;
+    const CurveAnalogy style({&pair, 1}, parameters);
+    for (std::uint64_t place = 0; place < 8; ++place) {
+      const StyledCurve drawn = style.draw(egg(), place);
+      EXPECT_TRUE(drawn.curve.closed);
+      const double gap = distance(drawn.curve.points.back(), drawn.curve.points.front());
+      const double mean = arc_length(drawn.curve) / static_cast<double>(drawn.curve.points.size());
+      EXPECT_LT(gap, 4 * mean);
+    }
+  }
+}
+
+// ---- Likeness -------------------------------------------------------------------------------
+
+TEST(CurveAnalogy, BendsLikeTheExample) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for_each_seed(20, [&](std::uint64_t seed) {
+    const StyledCurve drawn = style.draw(s_curve(), seed);
+    const double spacing = arc_length(pair.filtered.polyline) / 1200;
+    EXPECT_LT(turning_distance(pair.filtered.polyline, drawn.curve, spacing), 0.05);
+  });
+}
+
+TEST(CurveAnalogy, FollowsTheCurve) {
+  const Polyline curve = s_curve();
+  const StyledCurve drawn = draw_by_analogy(wavy_pair(), curve);
+  for (const Point p : drawn.curve.points) EXPECT_LT(distance_from(curve, p), 12);
+}
+
+TEST(CurveAnalogy, WithShapeWeightBringsBackTheExampleOnItsOwnLine) {
+  // An unfiltered line with one hump, whose hump was drawn with a curl of its own.
+  ExamplePair pair;
+  Polyline plain, filtered;
+  for (int i = 0; i <= 600; ++i) {
+    const double x = 0.5 * i, hump = 30 * std::exp(-0.5 * std::pow((x - 150) / 20, 2));
+    plain.points.push_back({x, hump});
+    filtered.points.push_back({x, hump + 0.1 * hump * std::sin(x)});
+  }
+  pair.filtered = with_length_parameter(filtered);
+  pair.unfiltered = with_length_parameter(plain);
+  pair.filtered.t = pair.unfiltered->t;
+  pair.same_parameter = true;
+  CurveAnalogyParameters parameters;
+  parameters.shape_weight = 2;
+  const StyledCurve drawn = draw_by_analogy(pair, plain, parameters);
+  ASSERT_EQ(drawn.runs.size(), 1u);
+  for (const Point p : drawn.curve.points) EXPECT_LT(distance_from(filtered, p), 0.5);
+}
+
+TEST(CurveAnalogy, RunsCoverTheCurveAndVary) {
+  const StyledCurve drawn = draw_by_analogy(wavy_pair(), s_curve());
+  std::size_t next = 0;
+  for (const ChainRun& run : drawn.runs) {
+    EXPECT_EQ(run.first, next);
+    next += run.steps;
+  }
+  EXPECT_GT(drawn.runs.size(), 3u);
+}
+
+TEST(CurveAnalogy, AnExampleLeftOutIsTheBlurredOne) {
+  ExamplePair pair = wavy_pair();
+  pair.unfiltered.reset();
+  const StyledCurve drawn = draw_by_analogy(pair, s_curve());
+  const double spacing = arc_length(pair.filtered.polyline) / 1200;
+  EXPECT_LT(turning_distance(pair.filtered.polyline, drawn.curve, spacing), 0.06);
+}
+
+// ---- Sameness -------------------------------------------------------------------------------
+
+TEST(CurveAnalogy, TheSameSeedGivesTheSameBytesOnAnyNumberOfThreads) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  std::vector<Polyline> first(12), second(12);
+  parallel_for(12, 1, [&](std::size_t i) { first[i] = style.draw(s_curve(), i).curve; });
+  parallel_for(12, 2, [&](std::size_t i) { second[i] = style.draw(s_curve(), i).curve; });
+  EXPECT_EQ(first, second);
+}
+
+TEST(CurveAnalogy, SeedsAndPlacesDiffer) {
+  const ExamplePair pair = wavy_pair();
+  CurveAnalogyParameters other;
+  other.seed = 2;
+  const Polyline drawn = CurveAnalogy({&pair, 1}, {}).draw(s_curve(), 0).curve;
+  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, {}).draw(s_curve(), 1).curve);
+  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, other).draw(s_curve(), 0).curve);
+}
+
+// ---- Curves and examples that are hardly any ------------------------------------------------
+
+TEST(CurveAnalogy, DegenerateCurvesComeBackAsTheyAre) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for (const char* text : {"", "3 4", "3 4, 3 4", "3 4, 3 4, 3 4 z", "0 0, 0.001 0"}) {
+    EXPECT_EQ(style.draw(polyline(text), 0).curve, polyline(text)) << text;
+  }
+}
+
+TEST(CurveAnalogy, WildCurvesGiveFiniteResults) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for_each_seed(60, [&](std::uint64_t seed) {
+    RandomValues random(seed);
+    Polyline curve =
+        random_scribble(random, 2 + random.below(30), std::pow(10, random.uniform(-2, 3)));
+    if (random.chance(0.3)) curve.points.push_back(curve.points.back());
+    curve.closed = random.chance(0.5);
+    const StyledCurve drawn = style.draw(curve, seed);
+    EXPECT_EQ(drawn.curve.closed, curve.closed);
+    EXPECT_EQ(drawn.lengths.size(), drawn.curve.points.size());
+    EXPECT_TRUE(std::ranges::is_sorted(drawn.lengths));
+    for (const Point p : drawn.curve.points) EXPECT_TRUE(is_finite(p));
+  });
+}
+
+TEST(CurveAnalogy, ShortAndOddExamplesServe) {
+  for (const char* text : {"0 0, 10 0", "0 0, 10 0, 13 9, 16 0, 26 0", "0 0, 1 1",
+                           "0 0, 50 0, 50 0, 90 3", "0 0, 10 0, 10 10, 0 10 z"}) {
+    ExamplePair pair;
+    pair.filtered = with_length_parameter(polyline(text));
+    for (const Point p : draw_by_analogy(pair, s_curve()).curve.points) {
+      EXPECT_TRUE(is_finite(p)) << text;
+    }
+  }
+}
+
+TEST(CurveAnalogy, RefusesExamplesThatCannotServe) {
+  ExamplePair pair;
+  pair.filtered = with_length_parameter(polyline("3 4"));
+  EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
+  pair.filtered = with_length_parameter(polyline("0 0, 9 9"));
+  pair.filtered.polyline.points[1].x = std::nan("");
+  EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
+  EXPECT_THROW(CurveAnalogy({}, {}), Error);
+}
+
+}  // namespace
+}  // namespace libstyle
