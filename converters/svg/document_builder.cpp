@@ -2,8 +2,11 @@
 #include "converters/svg/document_builder.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/encoding.h"
 #include "converters/svg/scanner.h"
 #include "libstyle/curves/json_text.h"
@@ -39,6 +42,21 @@ std::string OutputIds::make(std::string_view wanted) {
   return base + '~' + std::to_string(number);
 }
 
+void DocumentBuilder::add_carried_records(pugi::xml_node root) {
+  for (const pugi::xml_node metadata : root.children("metadata")) {
+    const pugi::xml_node element = metadata.child(kCarriedRecords);
+    if (!element) continue;
+    std::optional<Document> carried = restore_carried_records(element.text().get());
+    if (!carried) {
+      reporter_.warn(element, std::string(kCarriedRecords) + " is wrong; left out");
+      continue;
+    }
+    document_.header.history = std::move(carried->header.history);
+    document_.header.extras = std::move(carried->header.extras);
+    std::ranges::move(carried->records, std::back_inserter(document_.records));
+  }
+}
+
 std::string DocumentBuilder::add_group(pugi::xml_node element, const GroupLook& look,
                                        const std::string& parent) {
   GroupRecord group;
@@ -48,11 +66,17 @@ std::string DocumentBuilder::add_group(pugi::xml_node element, const GroupLook& 
   group.clip = look.clip;
   group.hidden = look.hidden;
   const std::string wanted = text_of(element.attribute("id"));
-  if (!carries_something(group, wanted)) return parent;
+  const std::string_view carried = element.attribute(kCarriedKeys).value();
+  if (!carries_something(group, wanted) && carried.empty()) return parent;
   group.parent = parent;
   group.id = ids_.make(wanted);
   std::string id = group.id;
-  document_.records.emplace_back(std::move(group));
+  std::optional<Record> restored;
+  if (!carried.empty()) {
+    restored = restore_carried_keys(carried, group);
+    warn_unless(restored.has_value(), element);
+  }
+  document_.records.push_back(restored ? std::move(*restored) : std::move(group));
   return id;
 }
 
@@ -61,6 +85,8 @@ void DocumentBuilder::add_path(pugi::xml_node element, PathRecord path, const st
   const std::string wanted = text_of(element.attribute("id"));
   if (!wanted.empty()) path.id = ids_.make(wanted);
   path.parent = parent;
+  const std::string_view carried = element.attribute(kCarriedKeys).value();
+  if (!carried.empty()) warn_unless(restore_carried_keys(carried, path), element);
   document_.records.emplace_back(std::move(path));
 }
 
@@ -74,6 +100,12 @@ std::string DocumentBuilder::add_clip(pugi::xml_node element, std::vector<ClipPa
   std::string id = clip.id;
   document_.records.emplace_back(std::move(clip));
   return id;
+}
+
+void DocumentBuilder::warn_unless(bool restored, pugi::xml_node element) {
+  if (restored) return;
+  reporter_.warn(element,
+                 std::string(kCarriedKeys) + " is wrong or does not fit the vertices; left out");
 }
 
 void DocumentBuilder::describe(RecordBase& record, pugi::xml_node element) const {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "converters/svg/reporter.h"
 #include "converters/svg/xml.h"
 #include "libstyle/curves/document.h"
 
@@ -32,7 +33,12 @@ struct GroupLook {
 
 class DocumentBuilder {
  public:
-  DocumentBuilder(const XmlFile& file, Document& document) : file_(file), document_(document) {}
+  DocumentBuilder(const XmlFile& file, Reporter& reporter, Document& document)
+      : file_(file), reporter_(reporter), document_(document) {}
+
+  // Adds what the file carries of an earlier document that SVG has no place for (carried_keys.h):
+  // history, and records that draw nothing.
+  void add_carried_records(pugi::xml_node root);
 
   // Adds a group for an element, or none when it would carry nothing. Returns the id that its
   // members are in.
@@ -47,8 +53,10 @@ class DocumentBuilder {
 
  private:
   void describe(RecordBase& record, pugi::xml_node element) const;
+  void warn_unless(bool restored, pugi::xml_node element);
 
   const XmlFile& file_;
+  Reporter& reporter_;
   Document& document_;
   OutputIds ids_;
 };

@@ -17,75 +17,90 @@ std::string to_text(double value) {
 }
 
 // A length is computed from the ends of a path, and rounding may have moved it off the decimal that
-// was written: the same to 12 digits, and as computed.
-std::vector<double> candidates(double value) {
-  if (value == 0) return {value};
+// was written: `value` to 12 digits.
+double rounded(double value) {
+  if (value == 0) return value;
   const double unit = std::pow(10, 11 - std::floor(std::log10(std::abs(value))));
-  const double rounded = std::round(value * unit) / unit;
-  if (!std::isfinite(rounded) || rounded == value) return {value};
-  return {rounded, value};
+  const double result = std::round(value * unit) / unit;
+  return std::isfinite(result) ? result : value;
 }
 
-std::vector<std::pair<double, double>> candidate_pairs(double first, double second) {
-  std::vector<std::pair<double, double>> pairs;
-  for (const double a : candidates(first)) {
-    for (const double b : candidates(second)) pairs.emplace_back(a, b);
-  }
-  return pairs;
+// The length from `low` that ends at `high` when it is added again.
+double length_between(double low, double high) {
+  const double length = high - low;
+  return low + rounded(length) == high ? rounded(length) : length;
 }
 
-// The corner radii if the path is a rectangle with round corners: it then begins where the corner
-// ends.
-std::vector<std::pair<double, double>> candidate_radii(const Path& path, const Box& box) {
-  if (path.commands().size() <= 5) return {{0, 0}};
+// What a rectangle element says.
+struct RectangleParts {
+  Rectangle rectangle;
+  double radius_x = 0, radius_y = 0;
+
+  Path path() const { return rectangle_path(rectangle, radius_x, radius_y); }
+};
+
+// Those of a path that is a rectangle, of any numbers otherwise. With round corners it begins where
+// the first ends, and the last begins ten points before its end.
+RectangleParts rectangle_parts(const Path& path) {
+  const Box box = path.control_box();
   const auto points = path.points();
-  const double radius_x = points.front().x - box.low.x;
-  const double radius_y = points[points.size() - 10].y - box.low.y;
-  return candidate_pairs(radius_x, radius_y);
+  RectangleParts parts = {{box.low.x, box.low.y, length_between(box.low.x, box.high.x),
+                           length_between(box.low.y, box.high.y)}};
+  if (points.size() > 10) {
+    parts.radius_x = length_between(box.low.x, points.front().x);
+    parts.radius_y = length_between(box.low.y, points[points.size() - 10].y);
+  }
+  return parts;
 }
 
 std::optional<ShapeElement> rect_element(const Path& path) {
-  if (path.points().size() < 4) return std::nullopt;
-  const Box box = path.control_box();
-  for (const auto& [width, height] : candidate_pairs(box.width(), box.height())) {
-    for (const auto& [rx, ry] : candidate_radii(path, box)) {
-      if (rectangle_path({box.low.x, box.low.y, width, height}, rx, ry) != path) continue;
-      ShapeElement element = {"rect",
-                              {{"x", to_text(box.low.x)},
-                               {"y", to_text(box.low.y)},
-                               {"width", to_text(width)},
-                               {"height", to_text(height)}}};
-      if (rx > 0) element.attributes.emplace_back("rx", to_text(rx));
-      if (ry > 0) element.attributes.emplace_back("ry", to_text(ry));
-      return element;
-    }
-  }
-  return std::nullopt;
-}
-
-// The centre and the radius, along one axis, that give this low and high edge.
-std::optional<std::pair<double, double>> centered(double low, double high) {
-  for (const auto& [center, radius] : candidate_pairs(low + (high - low) / 2, (high - low) / 2)) {
-    if (center - radius == low && center + radius == high) return std::pair(center, radius);
-  }
-  return std::nullopt;
-}
-
-std::optional<ShapeElement> ellipse_element(std::string_view shape, const Path& path) {
-  const Box box = path.control_box();
-  const auto x = centered(box.low.x, box.high.x), y = centered(box.low.y, box.high.y);
-  if (!x || !y || ellipse_path({x->first, y->first}, x->second, y->second) != path) {
-    return std::nullopt;
-  }
-  ShapeElement element = {shape, {{"cx", to_text(x->first)}, {"cy", to_text(y->first)}}};
-  if (shape == "circle") {
-    if (x->second != y->second) return std::nullopt;
-    element.attributes.emplace_back("r", to_text(x->second));
-  } else {
-    element.attributes.emplace_back("rx", to_text(x->second));
-    element.attributes.emplace_back("ry", to_text(y->second));
-  }
+  const RectangleParts parts = rectangle_parts(path);
+  if (parts.path() != path) return std::nullopt;
+  ShapeElement element = {"rect",
+                          {{"x", to_text(parts.rectangle.x)},
+                           {"y", to_text(parts.rectangle.y)},
+                           {"width", to_text(parts.rectangle.width)},
+                           {"height", to_text(parts.rectangle.height)}}};
+  if (parts.radius_x > 0) element.attributes.emplace_back("rx", to_text(parts.radius_x));
+  if (parts.radius_y > 0) element.attributes.emplace_back("ry", to_text(parts.radius_y));
   return element;
+}
+
+struct EllipseParts {
+  Point center;
+  double radius_x = 0, radius_y = 0;
+
+  Path path() const { return ellipse_path(center, radius_x, radius_y); }
+};
+
+// Those of a path that is an ellipse. It begins at its right end and comes to its lower end after
+// three pieces.
+EllipseParts ellipse_parts(const Path& path) {
+  if (path.points().size() < 10) return {};
+  const Point right = path.points()[0], bottom = path.points()[9];
+  const Point center = {bottom.x, right.y};
+  return {center, length_between(center.x, right.x), length_between(center.y, bottom.y)};
+}
+
+std::optional<ShapeElement> ellipse_element(const Path& path) {
+  const EllipseParts parts = ellipse_parts(path);
+  if (parts.path() != path) return std::nullopt;
+  return ShapeElement{"ellipse",
+                      {{"cx", to_text(parts.center.x)},
+                       {"cy", to_text(parts.center.y)},
+                       {"rx", to_text(parts.radius_x)},
+                       {"ry", to_text(parts.radius_y)}}};
+}
+
+std::optional<ShapeElement> circle_element(const Path& path) {
+  const EllipseParts parts = ellipse_parts(path);
+  for (const double radius : {parts.radius_x, parts.radius_y}) {
+    if (ellipse_path(parts.center, radius, radius) != path) continue;
+    return ShapeElement{
+        "circle",
+        {{"cx", to_text(parts.center.x)}, {"cy", to_text(parts.center.y)}, {"r", to_text(radius)}}};
+  }
+  return std::nullopt;
 }
 
 std::optional<ShapeElement> line_element(const Path& path) {
@@ -113,17 +128,67 @@ std::optional<ShapeElement> points_element(std::string_view shape, const Path& p
   return ShapeElement{shape, {{"points", text}}};
 }
 
+// The nearest number of a grid on which sums of coordinates within the box are exact.
+class Grid {
+ public:
+  explicit Grid(double size) : step_(std::ldexp(1, std::ilogb(size) - 49)) {}
+
+  double operator()(double value) const { return std::round(value / step_) * step_; }
+
+ private:
+  double step_;
+};
+
+Path settled_rectangle(const Path& path, const Grid& grid) {
+  const auto [rectangle, rx, ry] = rectangle_parts(path);
+  const Rectangle settled = {grid(rectangle.x), grid(rectangle.y), grid(rectangle.width),
+                             grid(rectangle.height)};
+  return rectangle_path(settled, grid(rx), grid(ry));
+}
+
+Path settled_ellipse(const Path& path, const Grid& grid, bool circle) {
+  const auto [center, radius_x, radius_y] = ellipse_parts(path);
+  const double rx = grid(radius_x), ry = circle ? rx : grid(radius_y);
+  return ellipse_path({grid(center.x), grid(center.y)}, rx, ry);
+}
+
+double largest_coordinate(const Path& path) {
+  const Box box = path.control_box();
+  return std::max(
+      {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+}
+
+// Whether the points are the same but for rounding.
+bool is_near(const Path& a, const Path& b, double size) {
+  const auto near = [size](Point p, Point q) {
+    return std::abs(p.x - q.x) <= 1e-12 * size && std::abs(p.y - q.y) <= 1e-12 * size;
+  };
+  return std::ranges::equal(a.commands(), b.commands()) &&
+         std::ranges::equal(a.points(), b.points(), near);
+}
+
 }  // namespace
 
 std::optional<ShapeElement> shape_element(std::string_view shape, const Path& path) {
   if (path.empty()) return std::nullopt;
   if (shape == "rect") return rect_element(path);
-  if (shape == "circle") return ellipse_element("circle", path);
-  if (shape == "ellipse") return ellipse_element("ellipse", path);
+  if (shape == "circle") return circle_element(path);
+  if (shape == "ellipse") return ellipse_element(path);
   if (shape == "line") return line_element(path);
   if (shape == "polyline") return points_element("polyline", path);
   if (shape == "polygon") return points_element("polygon", path);
   return std::nullopt;
+}
+
+void settle_shape(std::string_view shape, Path& path) {
+  const bool circle = shape == "circle";
+  if (!circle && shape != "rect" && shape != "ellipse") return;
+  if (path.empty() || shape_element(shape, path)) return;
+  const double size = largest_coordinate(path);
+  const Grid grid(size);
+  Path settled =
+      shape == "rect" ? settled_rectangle(path, grid) : settled_ellipse(path, grid, circle);
+  if (is_near(settled, path, size) && shape_element(shape, settled)) path = std::move(settled);
 }
 
 }  // namespace libstyle::svg

@@ -22,4 +22,8 @@ struct ShapeElement {
 // Nothing when there is none: the path was turned or bent since.
 std::optional<ShapeElement> shape_element(std::string_view shape, const Path& path);
 
+// Moves the points of a path that is this shape but for rounding, as after a transform, by as
+// little as it takes for shape_element to find it: at most 1e-12 of its coordinates.
+void settle_shape(std::string_view shape, Path& path);
+
 }  // namespace libstyle::svg

@@ -8,6 +8,7 @@
 #include "converters/svg/conditions.h"
 #include "converters/svg/element_path.h"
 #include "converters/svg/page.h"
+#include "converters/svg/shape_element.h"
 #include "converters/svg/shapes.h"
 #include "converters/svg/stroke.h"
 
@@ -39,7 +40,7 @@ Walker::Walker(const XmlFile& file, const FileIndex& index, const SvgLimits& lim
       limits_(limits),
       reporter_(reporter),
       document_(document),
-      builder_(file, document) {}
+      builder_(file, reporter, document) {}
 
 // --- Structure ----------------------------------------------------------------------------------
 
@@ -58,6 +59,7 @@ void Walker::walk() {
   scope.viewport = page.viewport;
   open_root(root, scope);
   draw_children(root, scope);
+  builder_.add_carried_records(root);
 }
 
 // The outermost element is the document itself; it is a group only where it is drawn as one.
@@ -221,6 +223,7 @@ void Walker::draw_shape(pugi::xml_node element, ElementKind kind, const Scope& s
   warn_not_carried(element, scope.style);
   warn_markers(element, kind, scope.style);
   record.shape = shape_name(kind, element);
+  settle_shape(record.shape, record.path);
   record.style = painted_style(element, scope);
   builder_.add_path(element, std::move(record), scope.group);
 }

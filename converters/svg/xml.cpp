@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/encoding.h"
 
 namespace libstyle::svg {
@@ -21,6 +22,7 @@ std::string_view canonical_prefix(std::string_view uri) {
       {"http://www.inkscape.org/namespaces/inkscape", "inkscape"},
       {"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd", "sodipodi"},
       {"http://inkscape.sourceforge.net/DTD/sodipodi-0.dtd", "sodipodi"},
+      {kCurvesNamespace, "curves"},
   };
   const auto* const known =
       std::ranges::find(kKnown, uri, &std::pair<std::string_view, std::string_view>::first);

@@ -6,7 +6,7 @@
 // - SVG elements have their plain name ("svg:rect" is "rect"). A file that declares no namespace is
 //   SVG too. Elements of other namespaces have a ':' in their name.
 // - Attributes of the namespaces we know have their usual prefix whatever the file calls it:
-//   "xlink:href", "inkscape:label", "sodipodi:type", "xml:space".
+//   "xlink:href", "inkscape:label", "sodipodi:type", "xml:space", "curves:keys".
 #pragma once
 
 #include <cstddef>

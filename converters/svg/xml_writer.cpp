@@ -16,8 +16,9 @@ constexpr std::size_t kDeepestIndent = 20;
 
 constexpr std::string_view kReplacement = "\xef\xbf\xbd";
 
-// What stands for a character that cannot stand for itself; empty for all others.
-std::string_view escape(char c) {
+// What stands for a character that cannot stand for itself; empty for all others. `quote` is what
+// ends the text, or 0.
+std::string_view escape(char c, char quote) {
   switch (c) {
     case '&':
       return "&amp;";
@@ -26,7 +27,7 @@ std::string_view escape(char c) {
     case '>':
       return "&gt;";
     case '"':
-      return "&quot;";
+      return quote == '"' ? "&quot;" : std::string_view();
     case '\t':
       return "&#9;";
     case '\n':
@@ -43,9 +44,9 @@ bool is_noncharacter(std::string_view rest) {
   return rest.starts_with("\xef\xbf\xbe") || rest.starts_with("\xef\xbf\xbf");
 }
 
-void append_escaped(std::string& text, std::string_view value) {
+void append_escaped(std::string& text, std::string_view value, char quote) {
   for (std::size_t at = 0; at < value.size(); ++at) {
-    const std::string_view escaped = escape(value[at]);
+    const std::string_view escaped = escape(value[at], quote);
     if (!escaped.empty()) {
       text += escaped;
     } else if (value[at] == '\xef' && is_noncharacter(value.substr(at))) {
@@ -88,9 +89,13 @@ void XmlWriter::attribute(std::string_view name, std::string_view value) {
   assert(tag_is_open_);
   text_ += ' ';
   text_ += name;
-  text_ += "=\"";
-  append_escaped(text_, value);
-  text_ += '"';
+  text_ += '=';
+  // JSON is easier to read between single quotes.
+  const bool single = value.find('"') != value.npos && value.find('\'') == value.npos;
+  const char quote = single ? '\'' : '"';
+  text_ += quote;
+  append_escaped(text_, value, quote);
+  text_ += quote;
 }
 
 void XmlWriter::attribute(std::string_view name, double value) {
@@ -104,7 +109,7 @@ void XmlWriter::text(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     begin_line();
-    append_escaped(text_, text.substr(0, end));
+    append_escaped(text_, text.substr(0, end), 0);
     text_ += '\n';
     text.remove_prefix(std::min(end + 1, text.size()));
   }

@@ -53,6 +53,52 @@ TEST(ShapeElement, FindsNothingWhereThePathHasChanged) {
   EXPECT_EQ(describe("circle", Path()), "-");
 }
 
+Transform any_scaling(std::uint64_t seed) {
+  const RandomStream random(seed, 1);
+  return {0.1 + 10 * random.uniform(0), 0, 0, 0.1 + 10 * random.uniform(1), 100 * random.uniform(2),
+          100 * random.uniform(3)};
+}
+
+TEST(SettleShape, MakesTransformedShapesExact) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Transform map = any_scaling(seed);
+    for (Path path :
+         {rectangle_path({1.1, 2.2, 30.3, 40.7}, {}, {}),
+          rectangle_path({1.1, 2.2, 30.3, 40.7}, 3.3, 4.1), ellipse_path({10.3, 20.1}, 5.7, 7.9)}) {
+      const std::string_view shape = path.points().front().x > 15 ? "ellipse" : "rect";
+      path.transform(map);
+      const Path before = path;
+      settle_shape(shape, path);
+      EXPECT_TRUE(shape_element(shape, path)) << "seed " << seed;
+      for (std::size_t i = 0; i < path.points().size(); ++i) {
+        EXPECT_LT(distance(path.points()[i], before.points()[i]), 1e-9) << "seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(SettleShape, KeepsACircleRoundUnderEvenScaling) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Transform map = any_scaling(seed);
+    map.d = map.a;
+    Path path = ellipse_path({10.3, 20.1}, 5.7, 5.7);
+    path.transform(map);
+    settle_shape("circle", path);
+    EXPECT_TRUE(shape_element("circle", path)) << "seed " << seed;
+  }
+}
+
+TEST(SettleShape, LeavesEverythingElse) {
+  for (const Path& path : {parse_path_data("M0 0 L10 0 L10 10 L0 11 Z"), parse_path_data("M0 0"),
+                           Path(), parse_path_data("M0 0 L10 0 L10 10 L0 10.000001 Z")}) {
+    for (const char* shape : {"rect", "circle", "ellipse", "", "line"}) {
+      Path settled = path;
+      settle_shape(shape, settled);
+      EXPECT_EQ(settled, path) << shape;
+    }
+  }
+}
+
 // Coordinates with up to four decimals, as people and programs write them.
 TEST(ShapeElement, GivesBackTheNumbersThatWereWritten) {
   int found = 0;
@@ -63,7 +109,6 @@ TEST(ShapeElement, GivesBackTheNumbersThatWereWritten) {
       return static_cast<double>(1 + random.below(i, 5000000)) / 10000;
     };
     const Path path = ellipse_path({decimal(0), decimal(1)}, decimal(2), decimal(3));
-    std::string expected = "ellipse cx=" + std::to_string(decimal(0));
     const std::optional<ShapeElement> element = shape_element("ellipse", path);
     if (!element) continue;
     ++found;

@@ -136,11 +136,10 @@ TEST(SvgWriter, WritesShapesAsWhatTheyWere) {
             "  <rect id=\"r\" fill=\"none\" stroke=\"#ff0000\" x=\"1\" y=\"2\" width=\"3\" "
             "height=\"4\"/>\n");
   path.path = parse_path_data("M1 2 L4 3 L4 6 L1 6 Z");
-  EXPECT_EQ(
-      body({path}),
-      "  <path id=\"r\" fill=\"none\" stroke=\"#ff0000\" "
-      "curves:keys=\"{&quot;type&quot;:&quot;path&quot;,&quot;shape&quot;:&quot;rect&quot;}\" "
-      "d=\"M1 2 L4 3 L4 6 L1 6 Z\"/>\n");
+  EXPECT_EQ(body({path}),
+            "  <path id=\"r\" fill=\"none\" stroke=\"#ff0000\" "
+            "curves:keys='{\"type\":\"path\",\"shape\":\"rect\"}' "
+            "d=\"M1 2 L4 3 L4 6 L1 6 Z\"/>\n");
 }
 
 TEST(SvgWriter, KeepsNotes) {
@@ -148,8 +147,8 @@ TEST(SvgWriter, KeepsNotes) {
   path.classes = "thin ink";
   path.label = "A \"line\"";
   path.extras = {{"data-pen", "\"3 \\u0026 \\\"4\\\"\""}};
-  EXPECT_THAT(body({path}), HasSubstr("<path id=\"a\" class=\"thin ink\" inkscape:label=\"A "
-                                      "&quot;line&quot;\" data-pen=\"3 &amp; &quot;4&quot;\" "));
+  EXPECT_THAT(body({path}), HasSubstr("<path id=\"a\" class=\"thin ink\" inkscape:label='A "
+                                      "\"line\"' data-pen='3 &amp; \"4\"' "));
 }
 
 TEST(SvgWriter, DefinesGradients) {
@@ -255,11 +254,11 @@ TEST(SvgWriter, CarriesWhatDrawsNothingInMetadata) {
   Document document = {{}, {path_record("a"), path_record("a~2"), constraint, label, unknown}};
   document.header.name = "plan";
   document.header.history = {"svg2curves plan.svg"};
-  EXPECT_THAT(write(document).text,
-              HasSubstr("  <metadata>\n"
-                        "    <curves:records>\n"
-                        "      {&quot;curves&quot;:1,&quot;name&quot;:&quot;plan&quot;,"
-                        "&quot;history&quot;:[&quot;svg2curves plan.svg&quot;]}\n"));
+  EXPECT_THAT(
+      write(document).text,
+      HasSubstr("  <metadata>\n"
+                "    <curves:records>\n"
+                "      {\"curves\":1,\"name\":\"plan\",\"history\":[\"svg2curves plan.svg\"]}\n"));
   pugi::xml_document tree;
   ASSERT_TRUE(tree.load_string(write(document).text.c_str()));
   const auto carried = restore_carried_records(

@@ -39,7 +39,9 @@ std::string attribute_of(std::string_view value) {
 }
 
 TEST(XmlWriter, EscapesWhatXmlReadsDifferently) {
-  EXPECT_EQ(attribute_of("<&>\""), "<a x=\"&lt;&amp;&gt;&quot;\"/>\n");
+  EXPECT_EQ(attribute_of("<&>"), "<a x=\"&lt;&amp;&gt;\"/>\n");
+  EXPECT_EQ(attribute_of("\"&\""), "<a x='\"&amp;\"'/>\n");
+  EXPECT_EQ(attribute_of("\"'"), "<a x=\"&quot;'\"/>\n");
   EXPECT_EQ(attribute_of("a\tb\nc\rd"), "<a x=\"a&#9;b&#10;c&#13;d\"/>\n");
   EXPECT_EQ(attribute_of("é ~ '"), "<a x=\"é ~ '\"/>\n");
 }
