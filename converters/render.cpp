@@ -104,7 +104,12 @@ void run(const Settings& settings, Session& session) {
   for (const std::string& name : settings.inputs.empty() ? from_stdin : settings.inputs) {
     input = name;
     DocumentInput documents(name, session.warning_handler());
-    while (documents.read(document)) pictures.add(document);
+    if (!documents.read(document)) {
+      throw Error({display_name(name)}, "holds no document; a document begins with a header line");
+    }
+    do {
+      pictures.add(document);
+    } while (documents.read(document));
   }
   pictures.finish();
 }

@@ -11,7 +11,7 @@
 # In STDERR, a line that begins with ~ is an extended regular expression for that line.
 # Every case gets an empty folder in $OUT, which is the place for outputs with a name.
 function(command_case name)
-  cmake_parse_arguments(CASE "" "RUN;STDOUT;STDERR;EXIT;SAME" "" ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 CASE "" "RUN;STDOUT;STDERR;EXIT;SAME" "")
   if(CASE_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${name}: not understood: ${CASE_UNPARSED_ARGUMENTS}")
   endif()
@@ -23,7 +23,7 @@ function(command_case name)
   endif()
   add_test(NAME ${name}
     COMMAND ${PROJECT_SOURCE_DIR}/tests/support/run_case
-      ${name} ${CASE_RUN} ${CASE_EXIT} "${CASE_STDERR}" "${CASE_STDOUT}" "${CASE_SAME}"
+      ${name} "${CASE_RUN}" ${CASE_EXIT} "${CASE_STDERR}" "${CASE_STDOUT}" "${CASE_SAME}"
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/fixtures)
   set_tests_properties(${name} PROPERTIES
     TIMEOUT 60

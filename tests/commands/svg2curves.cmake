@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+program_cases(svg2curves)
+
+command_case(svg2curves/basic-shapes RUN "svg2curves drawings/plan.svg" STDOUT expected/plan.curves)
+command_case(svg2curves/layers-and-style-sheet RUN "svg2curves drawings/harbour.svg" STDOUT expected/harbour.curves)
+command_case(svg2curves/stdin-gives-the-same-records
+  RUN "svg2curves < drawings/plan.svg | tail -n +2" SAME "svg2curves drawings/plan.svg | tail -n +2")
+command_case(svg2curves/dash-is-stdin
+  RUN "svg2curves - < drawings/plan.svg" SAME "svg2curves < drawings/plan.svg")
+command_case(svg2curves/many-files-are-one-stream
+  RUN "svg2curves drawings/plan.svg drawings/harbour.svg"
+  SAME "svg2curves drawings/plan.svg; svg2curves drawings/harbour.svg")
+command_case(svg2curves/output-has-the-same-bytes
+  RUN "svg2curves drawings/plan.svg -o $OUT/plan.curves && cat $OUT/plan.curves && test $(ls $OUT | wc -l) = 1"
+  STDOUT expected/plan.curves)
+
+command_case(svg2curves/missing-file
+  RUN "svg2curves nowhere.svg" EXIT 1
+  STDERR "svg2curves: nowhere.svg: cannot be opened: No such file or directory")
+command_case(svg2curves/folder
+  RUN "svg2curves drawings" EXIT 1 STDERR "svg2curves: drawings: is a folder; name a file")
+command_case(svg2curves/full-disk
+  RUN "svg2curves drawings/plan.svg -o /dev/full" EXIT 1
+  STDERR "svg2curves: /dev/full: cannot be written: No space left on device")
+command_case(svg2curves/full-disk-on-stdout
+  RUN "svg2curves drawings/plan.svg > /dev/full" EXIT 1
+  STDERR "svg2curves: stdout: cannot be written: No space left on device")
+command_case(svg2curves/unwritable-output
+  RUN "svg2curves drawings/plan.svg -o $OUT/none/plan.curves" EXIT 1
+  STDERR "~svg2curves: .*/none/plan.curves: cannot be written: No such file or directory")
+command_case(svg2curves/closed-pipe-is-quiet
+  RUN "(cat drawings/plan.svg; :) | svg2curves | head -c 1 | wc -c | grep -q 1")
+command_case(svg2curves/bad-input-leaves-no-output
+  RUN "svg2curves broken/truncated.svg -o $OUT/a.curves; test $? = 1 && test $(ls $OUT | wc -l) = 0"
+  STDERR "~svg2curves: broken/truncated.svg:1: .*")
+
+command_case(svg2curves/truncated RUN "svg2curves broken/truncated.svg" EXIT 1 STDERR "~svg2curves: broken/truncated.svg:1: .*")
+command_case(svg2curves/not-xml RUN "svg2curves broken/not-xml.svg" EXIT 1 STDERR "~svg2curves: broken/not-xml.svg:.*")
+command_case(svg2curves/empty RUN "svg2curves broken/empty.svg" EXIT 1 STDERR "~svg2curves: broken/empty.svg:.*")
+command_case(svg2curves/use-cycle RUN "svg2curves broken/use-cycle.svg | grep -c '\"path\"' | grep -qx 1" STDERR "~svg2curves: broken/use-cycle.svg:.*warning: .*
+~svg2curves: broken/use-cycle.svg:.*warning: .*")
+command_case(svg2curves/billion-laughs RUN "svg2curves broken/billion-laughs.svg" EXIT 1 STDERR "~svg2curves: broken/billion-laughs.svg:.*")
+command_case(svg2curves/external-entity-is-never-read
+  RUN "svg2curves broken/external-entity.svg | grep -c '\"path\"' | grep -qx 1" STDERR "~svg2curves: broken/external-entity.svg:.*")
+command_case(svg2curves/nan-coordinates
+  RUN "svg2curves broken/nan-coordinates.svg | grep -c '\"good\"' | grep -qx 1" STDERR "~svg2curves: .*bad.*
+~svg2curves: .*worse.*")
+command_case(svg2curves/huge-coordinates
+  RUN "svg2curves broken/huge-coordinates.svg | grep -c '\"good\"' | grep -qx 1" STDERR "~svg2curves: .*huge.*")
+command_case(svg2curves/deep-nesting
+  RUN "yes '<g>' | head -n 10000 | (echo '<svg>'; cat) | svg2curves" EXIT 1 STDERR "~svg2curves: stdin:.*")
+command_case(svg2curves/strict-fails-on-a-warning
+  RUN "svg2curves --strict -q broken/nan-coordinates.svg > /dev/null" EXIT 1 STDERR "~svg2curves: .*")
