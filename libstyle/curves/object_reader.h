@@ -59,13 +59,13 @@ class ObjectReader {
       json::check(field.value().get(value));
       const std::size_t index = find_key<T>(key, expected);
       if (index == kFieldCount<T>) {
-        keep_extra(key, value, object.extras);
         refuse_reserved<T>(key);
-        continue;
+        keep_extra(key, value, object.extras);
+      } else {
+        if (!seen.add(index)) throw Error(quoted(key) + " is there twice");
+        read_field(index, value, object);
+        expected = index + 1;
       }
-      if (!seen.add(index)) throw Error(quoted(key) + " is there twice");
-      read_field(index, value, object);
-      expected = index + 1;
     }
     require_all(seen);
     complete(object, seen);
@@ -128,8 +128,7 @@ class ObjectReader {
   }
 
   void keep_extra(std::string_view key, Value& value, std::vector<Extra>& extras) {
-    std::string name(key);  // reading on may overwrite the key
-    extras.push_back({std::move(name), json::to_compact(raw_checker_.raw_json(value))});
+    extras.push_back({std::string(key), json::to_compact(raw_checker_.raw_json(value))});
   }
 
   // ---- Values, one function a form ----
