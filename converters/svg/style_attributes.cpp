@@ -67,7 +67,7 @@ void write_unless(XmlWriter& xml, std::string_view name, double value, double in
 }
 
 void write_stroke(XmlWriter& xml, const Style& style, const GradientIds& gradient_ids) {
-  const double alpha = write_paint(xml, "stroke", style.stroke, gradient_ids);
+  const double alpha = style.stroke ? write_paint(xml, "stroke", style.stroke, gradient_ids) : 1;
   write_unless(xml, "stroke-opacity", style.stroke_opacity * alpha, 1);
   write_unless(xml, "stroke-width", style.stroke_width, 1);
   if (style.line_cap != LineCap::kButt) {
@@ -95,7 +95,7 @@ void write_style(XmlWriter& xml, const PathRecord& path, const GradientIds& grad
   const double alpha = write_paint(xml, "fill", style.fill, gradient_ids);
   write_unless(xml, "fill-opacity", style.fill_opacity * alpha, 1);
   if (style.fill_rule == FillRule::kEvenOdd) xml.attribute("fill-rule", "evenodd");
-  if (style.stroke) write_stroke(xml, style, gradient_ids);
+  write_stroke(xml, style, gradient_ids);
   if (style.stroke_first) xml.attribute("paint-order", "stroke");
   write_unless(xml, "opacity", style.opacity, 1);
   if (style.hidden) xml.attribute("visibility", "hidden");

@@ -128,6 +128,15 @@ TEST(SvgWriter, DrawsABareCurveInBlack) {
   EXPECT_EQ(body({path}), "  <path fill=\"none\" stroke=\"#000000\" d=\"M0 0 L5 0\"/>\n");
 }
 
+TEST(SvgWriter, KeepsHowAStrokeWouldBeThatIsNotThere) {
+  PathRecord path = path_record("");
+  path.style.stroke.reset();
+  path.style.stroke_opacity = 0.5;
+  path.style.stroke_width = 3;
+  EXPECT_THAT(body({path}),
+              HasSubstr("<path fill=\"none\" stroke-opacity=\"0.5\" stroke-width=\"3\" d="));
+}
+
 TEST(SvgWriter, WritesShapesAsWhatTheyWere) {
   PathRecord path = path_record("r");
   path.path = parse_path_data("M1 2 L4 2 L4 6 L1 6 Z");
