@@ -5,26 +5,26 @@
 //   record.path = fit.path;
 //
 // Stages:
-//  1. Corners: vertices where the curve turns by more than corner_angle between what comes before
-//     and after, seen over corner_reach of arc length on either side, so that the noise of a shaky
-//     hand makes no corners (find_corners).
-//  2. Spans between corners are fitted one by one. One cubic for a stretch of points, given its end
-//     tangents, is the least-squares one: two unknown handle lengths, 2 x 2 normal equations,
-//     points weighted by the length they stand for, then a few rounds of reparametrisation by
-//     Newton's method (Schneider, "An algorithm for automatically fitting digitized curves",
-//     Graphics Gems, 1990).
-//  3. Where to split: not at the worst point as Schneider does, but greedily as far as one cubic
-//     reaches within tolerance (doubling, then bisection), and then with the breaks moved so that
-//     the segments of a span err evenly.
-//  4. Tangents at breaks come from the points on both sides within corner_reach, and are shared:
-//     the path is G1 everywhere but at corners.
+//  1. Corners are found (corners.h) and cut the curve into spans, each fitted by itself.
+//  2. At every vertex where a segment may end, position and direction come from a polynomial
+//     fitted to what is on both sides (local_fit.h): a break does not copy the noise of its point,
+//     and both segments that meet there share its direction.
+//  3. A segment reaches as far as one cubic stays within the tolerance (cubic_segment_fit.h), found
+//     by doubling and bisection: Schneider's splitting at the worst point ("An algorithm for
+//     automatically fitting digitized curves", Graphics Gems, 1990) makes about a third more
+//     segments.
+//  4. The least tolerance for which so many segments suffice is found by bisection, so that the
+//     segments of a span err evenly and none is a scrap.
 //
-// Guarantees: the path begins and ends at the first and last point, passes through every corner
-// exactly, and comes within `tolerance` of every point. Handles never point backwards and are never
-// longer than the arc they span, so that no loops and cusps appear that were not drawn. Two points
-// give a straight line; a straight span is one L command.
+// Long edges are held to the tolerance along their length as well, as the chords of arcs no more
+// bent than the calmer of their ends; an edge far longer than its neighbours is straight.
 //
-// Cost: near linear; 1e5 points in about a second.
+// Guarantees: the path begins and ends at the first and last point and passes through every corner
+// exactly; no point is farther from it than `error`, which is at most `tolerance`; no segment has a
+// loop or a cusp. It is smooth (G1) but at corners and where neighbouring points go backwards. A
+// span that stays within half the tolerance of its chord is one L command.
+//
+// Cost: near linear; 1e5 points in less than a second.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,8 @@
 namespace libstyle {
 
 struct CubicFitParams {
-  // The largest distance of a point from the path, in the curve's units. > 0.
+  // The largest distance of a point from the path, in the curve's units. > 0. Noise is smoothed
+  // away if all of it stays within: four times its standard deviation.
   double tolerance = 0.5;
   // A turn sharper than this is a corner, in radians, 0 .. pi; pi: never. 45 degrees.
   double corner_angle = 0.7853981633974483;
@@ -47,20 +48,16 @@ struct CubicFitParams {
 
 struct CubicFit {
   Path path;
-  // For each vertex of the path, the point of the polyline that it is; values at points thereby
-  // become values at vertices. The vertex that closes a closed path is point 0 again, or whichever
-  // the path begins with.
+  // For each vertex of the path, the point of the polyline it stands for: values at points thereby
+  // become values at vertices. A closed path may end at the point it began with, then closed by Z.
   std::vector<std::size_t> points;
-  std::vector<bool> corners;  // for each vertex, whether the path turns sharply there; ends are not
+  std::vector<bool> corners;  // for each vertex, whether it is a corner; ends are not
   double error = 0;           // the largest distance of a point of the polyline from the path
 };
 
-// Repeated points are allowed, an empty polyline gives an empty path. Throws Error when a parameter
-// is out of range or a point is not finite.
+// Repeated points are allowed; an empty polyline gives an empty path, one point an M alone. Closed
+// paths begin at their first corner or, without corners, near the first point. Throws Error when a
+// parameter is out of range or a point is not finite.
 CubicFit fit_cubics(const Polyline& polyline, const CubicFitParams& params = {});
-
-// The indices of the polyline's corners, as fit_cubics finds them, rising. Ends of an open polyline
-// are not among them.
-std::vector<std::size_t> find_corners(const Polyline& polyline, const CubicFitParams& params = {});
 
 }  // namespace libstyle
