@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "converters/cairo/handles.h"
 #include "converters/cairo/paint_source.h"
@@ -13,7 +15,7 @@
 namespace libstyle {
 namespace {
 
-// A line of the ribbon; offsets lead from the curve to the edge on its left as seen on the page.
+// A line of the ribbon; offsets lead from the curve to its right edge.
 struct Piece {
   RibbonPoint from, to;
   Vector from_offset, to_offset;
@@ -34,13 +36,6 @@ std::optional<Vector> shared_offset(Vector before, Vector after, double radius) 
   if (dot(before, after) < kSmooth) return std::nullopt;
   const Vector along = normalized(before + after);
   return radius / dot(along, after) * perpendicular(along);
-}
-
-// Whether neither edge of the piece runs backwards.
-bool is_unfolded(const Piece& piece) {
-  const Vector along = piece.to.place - piece.from.place;
-  const Vector difference = piece.to_offset - piece.from_offset;
-  return dot(along + difference, along) > 0 && dot(along - difference, along) > 0;
 }
 
 class OutlineMaker {
@@ -91,15 +86,7 @@ class OutlineMaker {
   }
 
   void add_line(std::size_t i) {
-    Piece piece{point(i), point(i + 1), offset(i, i), offset(i, i + 1)};
-    if (!is_unfolded(piece)) {
-      const Vector across = perpendicular(direction(i));
-      piece.from_offset = piece.from.radius * across;
-      piece.to_offset = piece.to.radius * across;
-      outline_.discs.push_back(piece.from);
-      outline_.discs.push_back(piece.to);
-    }
-    outline_.pieces.push_back(piece);
+    outline_.pieces.push_back({point(i), point(i + 1), offset(i, i), offset(i, i + 1)});
   }
 
   void add_cap(const RibbonPoint& end, Vector outwards) {
@@ -145,16 +132,45 @@ void cut_to_window(Outline& outline, const Box& window) {
   });
 }
 
+void trace_polygon(cairo_t* context, std::initializer_list<Point> corners) {
+  cairo_new_sub_path(context);
+  for (const Point corner : corners) cairo_line_to(context, corner.x, corner.y);
+  cairo_close_path(context);
+}
+
+// In the direction in which Cairo draws its discs.
+void trace_triangle(cairo_t* context, Point a, Point b, Point c) {
+  if (cross(b - a, c - a) < 0) std::swap(b, c);
+  trace_polygon(context, {a, b, c});
+}
+
+// Where the two ends of a piece cross, in a turn tighter than the radius.
+std::optional<Point> crossing_of_ends(const Piece& piece) {
+  const Vector along = piece.to.place - piece.from.place;
+  const double area = cross(piece.from_offset, piece.to_offset);
+  if (area == 0) return std::nullopt;
+  const double on_from = cross(along, piece.to_offset) / area;
+  const double on_to = cross(along, piece.from_offset) / area;
+  if (std::abs(on_from) >= 1 || std::abs(on_to) >= 1) return std::nullopt;
+  return piece.from.place + on_from * piece.from_offset;
+}
+
+void trace_piece(cairo_t* context, const Piece& piece) {
+  const Point from_left = piece.from.place - piece.from_offset;
+  const Point from_right = piece.from.place + piece.from_offset;
+  const Point to_left = piece.to.place - piece.to_offset;
+  const Point to_right = piece.to.place + piece.to_offset;
+  if (const auto crossing = crossing_of_ends(piece)) {
+    trace_triangle(context, *crossing, from_left, to_left);
+    trace_triangle(context, *crossing, from_right, to_right);
+  } else {
+    trace_polygon(context, {from_left, to_left, to_right, from_right});
+  }
+}
+
 void trace_outline(cairo_t* context, const Outline& outline) {
   cairo_new_path(context);
-  for (const Piece& piece : outline.pieces) {
-    const Point corners[] = {piece.from.place - piece.from_offset, piece.to.place - piece.to_offset,
-                             piece.to.place + piece.to_offset,
-                             piece.from.place + piece.from_offset};
-    cairo_move_to(context, corners[0].x, corners[0].y);
-    for (int i = 1; i < 4; ++i) cairo_line_to(context, corners[i].x, corners[i].y);
-    cairo_close_path(context);
-  }
+  for (const Piece& piece : outline.pieces) trace_piece(context, piece);
   for (const RibbonPoint& disc : outline.discs) {
     cairo_new_sub_path(context);
     cairo_arc(context, disc.place.x, disc.place.y, disc.radius, 0, 2 * std::numbers::pi);

@@ -3,7 +3,8 @@
 //
 // The stroke is one outline, filled once, so that it shows neither gaps nor overlaps at any
 // opacity: a four-sided piece for every flattened line, neighbours sharing their edge where the
-// curve is smooth, and a disc wherever they cannot (corners, ends, turns tighter than the radius).
+// curve is smooth, and a disc wherever they cannot (corners, round ends). A piece whose ends cross,
+// in a turn tighter than its radius, is the two triangles that they sweep.
 // All pieces turn the same way, so the non-zero rule makes their union. Colours are a mesh gradient
 // under the outline. Joins are always round; caps, dashes and opacity are those of the style; the
 // transform of a pen is not followed.

@@ -66,7 +66,9 @@ TEST(VaryingStroke, OfEvenWidthCoversWhatIsNearThePath) {
             distance_to(flat, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
         const int alpha = image.at(x, y)[3];
         if (std::abs(d - radius) <= margin) continue;
-        ASSERT_EQ(alpha, d < radius ? 128 : 0) << x << " " << y << ", " << d << " from the path";
+        // Triangles that meet may lose a few of Cairo's 255 steps of coverage to its fixed point.
+        ASSERT_NEAR(alpha, d < radius ? 128 : 0, 3)
+            << x << " " << y << ", " << d << " from the path";
       }
     }
   });
