@@ -63,24 +63,29 @@ void paste(Image& target, const Image& source, std::size_t left) {
 
 DiffResult compare(const Image& expected, const Image& actual, const DiffBounds& bounds) {
   DiffResult result;
-  result.same_size = expected.width == actual.width && expected.height == actual.height;
+  const auto close = [&](std::size_t a, std::size_t b) {
+    return std::max(a, b) - std::min(a, b) <= bounds.size_slack;
+  };
+  result.same_size = close(expected.width, actual.width) && close(expected.height, actual.height);
   if (!result.same_size) {
     result.summary = "sizes differ: " + size_of(expected) + " and " + size_of(actual);
     return result;
   }
-  for (std::size_t y = 0; y < expected.height; ++y) {
-    for (std::size_t x = 0; x < expected.width; ++x) {
+  const std::size_t width = std::min(expected.width, actual.width);
+  const std::size_t height = std::min(expected.height, actual.height);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
       const int here = difference(expected, actual, x, y, bounds.envelope);
       result.largest = std::max(result.largest, here);
       if (here > bounds.per_channel) ++result.bad;
     }
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, expected.pixels.size()));
+  const auto count = static_cast<double>(std::max<std::size_t>(1, width * height));
   result.bad_share = static_cast<double>(result.bad) / count;
   result.passed = result.bad_share <= bounds.bad_share && result.largest <= bounds.hard_stop;
   char text[128];
   std::snprintf(text, sizeof text, "%zu of %zu pixels (%.3f %%) differ, by at most %d", result.bad,
-                expected.pixels.size(), 100 * result.bad_share, result.largest);
+                width * height, 100 * result.bad_share, result.largest);
   result.summary = text;
   return result;
 }

@@ -15,6 +15,7 @@ struct DiffBounds {
   // A pixel may lie anywhere between the least and the most of its 3x3 neighbours in the other
   // picture, and the other way round: edges may move by a pixel, areas may not change.
   bool envelope = false;
+  std::size_t size_slack = 0;  // px; larger pictures by so much are cut at the right and bottom
 };
 
 struct DiffResult {

@@ -46,6 +46,8 @@ TEST(Pixdiff, AShareOfBadPixelsMayPassTheHardStopMayNot) {
 
 TEST(Pixdiff, PicturesOfDifferentSizesFail) {
   EXPECT_FALSE(compare(Image(2, 2), Image(2, 3), {255, 1, 255, true}).passed);
+  EXPECT_TRUE(compare(Image(2, 2), Image(2, 3), {0, 0, 0, true, 1}).passed);
+  EXPECT_FALSE(compare(Image(2, 2), Image(2, 4), {0, 0, 0, true, 1}).passed);
 }
 
 TEST(Pixdiff, TransparentPixelsDifferFromBlackOnes) {
