@@ -18,7 +18,7 @@ void require(bool holds, const char* member, double value, const char* range) {
   } else {
     given = "not a finite number";
   }
-  throw Error(std::string("CurveAnalogyParameters.") + member + " is " + given + "; give " + range);
+  throw Error(std::string("the parameter ") + member + " is " + given + "; give " + range);
 }
 
 }  // namespace

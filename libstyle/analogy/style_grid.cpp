@@ -16,7 +16,7 @@ namespace {
 // By trial on outlines of letters and rectangles: a side of six feature sizes shows two or three
 // features, and with fewer it no longer reads as the style.
 constexpr double kFeaturesPerLine = 6;
-constexpr double kReachesPerLine = 4;
+constexpr double kReachesPerLine = 6;
 // Bends of a radius below twice the reach of the style begin to fold, and below one they do.
 constexpr double kRadiusPerReach = 2;
 constexpr double kRadiusPerFeature = 1.5;
@@ -66,13 +66,15 @@ std::pair<std::size_t, double> locate(const std::vector<double>& keys, double x)
 
 }  // namespace
 
+double room_needed(const Example& example) {
+  return std::max(kFeaturesPerLine * example.feature_along(), kReachesPerLine * example.reach());
+}
+
 StyleGrid::StyleGrid(const Polyline& line, const Example& example,
                      const CurveAnalogyParameters& parameters) {
   const double total = arc_length(line);
   const double smallest = parameters.smallest_scale;
-  const double room =
-      std::max(kFeaturesPerLine * example.feature_along(), kReachesPerLine * example.reach());
-  line_scale_ = std::clamp(total / room, smallest, 1.0);
+  line_scale_ = std::clamp(total / room_needed(example), smallest, 1.0);
   const double spacing = line_scale_ * example.feature_along() / kNodesPerFeature;
   const auto nodes = static_cast<std::size_t>(std::clamp(total / spacing, 8.0, kMostNodes)) + 1;
   for (std::size_t i = 0; i < nodes; ++i) {

@@ -18,6 +18,9 @@
 
 namespace libstyle {
 
+// How long a line has to be for the style at its own size, in px.
+double room_needed(const Example& example);
+
 class StyleGrid {
  public:
   // `line` has a length.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/base/parallel.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <exception>
 #include <mutex>
+#include <optional>
 
 namespace libstyle {
 namespace {
@@ -44,6 +46,12 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     return;
   }
   FirstFailure failure;
+  // More threads than cores are allowed, and TBB says so on stderr unless told that they are.
+  std::optional<tbb::global_control> allowed;
+  if (threads > 0) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// curve-analogy: the curves of a drawing in the style of an example.
+#include "libstyle/analogy/curve_analogy.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "converters/common/command.h"
+#include "converters/common/files.h"
+#include "converters/svg/document_input.h"
+#include "libstyle/analogy/drawing.h"
+#include "libstyle/analogy/example_document.h"
+#include "libstyle/base/error.h"
+#include "libstyle/base/number.h"
+#include "libstyle/curves/writer.h"
+
+namespace libstyle {
+namespace {
+
+struct Settings {
+  std::vector<std::string> inputs;
+  std::string output = "-";
+  std::string unfiltered;
+  std::string filtered;
+  std::string scale = "1";
+  std::string invariance = "rotate";
+  bool loose_ends = false;
+  int threads = 0;
+  CurveAnalogyParameters parameters;
+};
+
+Document read_example(const std::string& name, Session& session) {
+  DocumentInput input(name, session.warning_handler());
+  Document document;
+  if (!input.read(document)) throw Error({display_name(name)}, "the example is empty");
+  return document;
+}
+
+std::vector<ExamplePair> read_pairs(const Settings& settings, Session& session) {
+  if (settings.filtered.empty()) throw UsageError("give an example of the style: --filtered FILE");
+  const Document filtered = read_example(settings.filtered, session);
+  std::optional<Document> unfiltered;
+  if (!settings.unfiltered.empty()) unfiltered = read_example(settings.unfiltered, session);
+  try {
+    return example_pairs(unfiltered ? &*unfiltered : nullptr, filtered);
+  } catch (const Error& error) {
+    throw Error({display_name(settings.filtered)}, error.what());
+  }
+}
+
+// Unset: as the drawing needs it.
+std::optional<double> parse_scale(std::string_view text) {
+  if (text == "auto") return std::nullopt;
+  double scale = 0;
+  if (!take_number(text, scale) || !text.empty()) {
+    throw UsageError("--scale is a number or auto");
+  }
+  return scale;
+}
+
+CurveAnalogyParameters checked_parameters(const Settings& settings) {
+  CurveAnalogyParameters parameters = settings.parameters;
+  parameters.scale = parse_scale(settings.scale).value_or(1);
+  parameters.keep_ends = !settings.loose_ends;
+  if (settings.invariance == "translate") parameters.invariance = Invariance::kTranslate;
+  try {
+    validate(parameters);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
+  return parameters;
+}
+
+// The style for each document: the same for all unless its scale depends on the document.
+class StyleFitter {
+ public:
+  StyleFitter(const Settings& settings, Session& session)
+      : parameters_(checked_parameters(settings)),
+        fits_(settings.scale == "auto"),
+        pairs_(read_pairs(settings, session)) {}
+
+  const CurveAnalogy& style_for(const Document& document) {
+    if (fits_) parameters_.scale = fitting_scale(document, pairs_, parameters_);
+    if (fits_ || !style_) style_.emplace(pairs_, parameters_);
+    return *style_;
+  }
+
+ private:
+  CurveAnalogyParameters parameters_;
+  bool fits_;
+  std::vector<ExamplePair> pairs_;
+  std::optional<CurveAnalogy> style_;
+};
+
+void run(const Settings& settings, Session& session) {
+  StyleFitter fitter(settings, session);
+  OutputFile output(settings.output);
+  const std::vector<std::string> from_stdin = {"-"};
+  for (const std::string& name : settings.inputs.empty() ? from_stdin : settings.inputs) {
+    DocumentInput input(name, session.warning_handler());
+    Document document;
+    while (input.read(document)) {
+      draw_again(document, fitter.style_for(document),
+                 {settings.threads, session.progress_handler(), session.warning_handler()});
+      document.header.history.push_back(session.history());
+      write_document(output, document);
+    }
+  }
+  output.commit();
+}
+
+Command describe(Settings& settings) {
+  CurveAnalogyParameters& p = settings.parameters;
+  return {
+      .name = "curve-analogy",
+      .summary = "draw curves in the style of an example",
+      .synopsis = {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
+                   "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
+                   "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg"},
+      .options = {{"--filtered", "FILE", "the example: lines drawn in the style (required)",
+                   &settings.filtered, HistoryUse::kFile},
+                  {"--unfiltered", "FILE", "the same lines, drawn plainly", &settings.unfiltered,
+                   HistoryUse::kFile},
+                  {"--seed", "N", "another number draws other lines in the same style", &p.seed},
+                  {"--scale", "FACTOR",
+                   "the size of the style: a factor, or auto to suit the drawing", &settings.scale},
+                  {"--invariance",
+                   "KIND",
+                   "whether the style turns with the lines: rotate or translate",
+                   &settings.invariance,
+                   HistoryUse::kRecorded,
+                   {"rotate", "translate"}},
+                  {"--shape-weight", "W",
+                   "how much the shape of a line decides what is drawn there", &p.shape_weight},
+                  {"--feature-size", "PX", "half the size of a feature of the example",
+                   &p.feature_size},
+                  {"--samples", "N", "how finely the example is cut", &p.samples},
+                  {"--mean-run", "N", "feature sizes copied from the example in one go",
+                   &p.mean_run},
+                  {"--smoothing", "N", "feature sizes over which lines lose their own detail",
+                   &p.smoothing},
+                  {"--smallest-scale", "FACTOR",
+                   "how small the style may get where there is no room", &p.smallest_scale},
+                  {"--corner-angle", "DEGREES", "lines that turn more sharply have a corner there",
+                   &p.corner_angle},
+                  {"--loose-ends", "", "do not hold the ends of lines in their places",
+                   &settings.loose_ends},
+                  {"--threads", "N", "how many threads work; 0: one a core", &settings.threads,
+                   HistoryUse::kLeftOut},
+                  {"--output,-o", "FILE", "write here rather than to stdout", &settings.output,
+                   HistoryUse::kLeftOut}},
+      .inputs = &settings.inputs,
+      .run = [&settings](Session& session) { run(settings, session); }};
+}
+
+}  // namespace
+}  // namespace libstyle
+
+int main(int argc, char** argv) {
+  libstyle::Settings settings;
+  return libstyle::run_command(argc, argv, libstyle::describe(settings));
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/drawing.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "libstyle/analogy/plain_lines.h"
+#include "libstyle/analogy/style_grid.h"
+#include "libstyle/base/number.h"
+#include "libstyle/base/parallel.h"
+#include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/cubic_fit.h"
+#include "libstyle/geometry/flatten.h"
+#include "libstyle/geometry/path_segments.h"
+
+namespace libstyle {
+namespace {
+
+constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn along
+constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
+constexpr double kGrid = 1e4;           // coordinates to a px
+constexpr double kRoomyLine = 3;        // times what the style needs
+
+bool comes_before(const Path* a, const Path* b) {
+  const auto key = [](Point p) { return std::tuple(p.x, p.y); };
+  const auto points = std::lexicographical_compare_three_way(
+      a->points().begin(), a->points().end(), b->points().begin(), b->points().end(),
+      [&](Point p, Point q) { return key(p) <=> key(q); });
+  if (points != 0) return points < 0;
+  return std::ranges::lexicographical_compare(a->commands(), b->commands());
+}
+
+// ---- One curve ------------------------------------------------------------------------------
+
+// What becomes of a subpath: a path, and for each of its vertices the length along the subpath.
+struct NewSubpath {
+  Path path;
+  std::vector<double> lengths;
+};
+
+Point on_grid(Point p) {
+  const Point rounded = {std::round(p.x * kGrid) / kGrid, std::round(p.y * kGrid) / kGrid};
+  return is_finite(rounded) ? rounded : p;
+}
+
+// Appends a fitted path without its first move, if it continues what is there, and with all points
+// but the ends on the grid.
+void append_fit(NewSubpath& result, const Path& fitted) {
+  std::size_t next = 0;
+  const std::span<const Point> points = fitted.points();
+  const auto take = [&] {
+    const bool end = next == 0 || next + 1 == points.size();
+    const Point p = points[next++];
+    return end ? p : on_grid(p);
+  };
+  for (const PathCommand command : fitted.commands()) {
+    if (command == PathCommand::kMove) {
+      const Point start = take();
+      if (result.path.empty()) result.path.move_to(start);
+    } else if (command == PathCommand::kLine) {
+      result.path.line_to(take());
+    } else if (command == PathCommand::kCubic) {
+      const Point control1 = take(), control2 = take();
+      result.path.cubic_to(control1, control2, take());
+    } else {
+      result.path.close();
+    }
+  }
+}
+
+// The points from `first` to `last`, on round if the curve is closed.
+Polyline stretch(const Polyline& curve, std::size_t first, std::size_t last) {
+  Polyline result;
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = first; i <= last; ++i) result.points.push_back(curve.points[i % n]);
+  return result;
+}
+
+// Corners of the drawing stay corners: what lies between them is fitted on its own.
+NewSubpath fit(const StyledCurve& drawn, double total_length, double tolerance) {
+  const std::size_t n = drawn.curve.points.size();
+  const bool closed = drawn.curve.closed;
+  std::vector<std::size_t> breaks = drawn.corners;
+  NewSubpath result;
+  if (closed && breaks.empty()) {
+    const CubicFit whole = fit_cubics(drawn.curve, {.tolerance = tolerance});
+    append_fit(result, whole.path);
+    for (const std::size_t i : whole.points) result.lengths.push_back(drawn.lengths[i]);
+    return result;
+  }
+  if (!closed && (breaks.empty() || breaks.front() != 0)) breaks.insert(breaks.begin(), 0);
+  breaks.push_back(closed ? breaks.front() + n : n - 1);
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const CubicFit part =
+        fit_cubics(stretch(drawn.curve, breaks[k], breaks[k + 1]), {.tolerance = tolerance});
+    append_fit(result, part.path);
+    for (std::size_t i = k == 0 ? 0 : 1; i < part.points.size(); ++i) {
+      const std::size_t point = breaks[k] + part.points[i];
+      result.lengths.push_back(point < n ? drawn.lengths[point] : total_length);
+    }
+  }
+  if (closed) result.path.close();
+  return result;
+}
+
+// ---- Values along curves --------------------------------------------------------------------
+
+// Values at points of a curve, looked up by length.
+class ValuesByLength {
+ public:
+  ValuesByLength(const FlattenedSubpath& flat)
+      : lengths_(cumulative_lengths(flat.polyline)), places_(flat.places) {
+    if (flat.polyline.closed) places_.push_back(flat.places.front());
+  }
+
+  std::vector<double> at(std::span<const double> lengths, std::span<const double> values) const {
+    const std::vector<double> known = values_along(places_, values);
+    std::vector<double> result;
+    for (const double length : lengths) {
+      const auto after = std::ranges::upper_bound(lengths_, length);
+      const auto i =
+          std::clamp<std::ptrdiff_t>(after - lengths_.begin(), 1, std::ssize(lengths_) - 1);
+      const auto b = static_cast<std::size_t>(i), a = b - 1;
+      const double gap = lengths_[b] - lengths_[a];
+      const double share = gap > 0 ? std::clamp((length - lengths_[a]) / gap, 0.0, 1.0) : 0;
+      result.push_back(std::lerp(known[a], known[b], share));
+    }
+    return result;
+  }
+
+ private:
+  std::vector<double> lengths_;
+  std::vector<PathPlace> places_;
+};
+
+using ColorMember = std::uint8_t Color::*;
+constexpr ColorMember kColorMembers[] = {&Color::red, &Color::green, &Color::blue, &Color::alpha};
+
+std::vector<Color> colors_at(const ValuesByLength& along, std::span<const double> lengths,
+                             std::span<const Color> colors) {
+  std::vector<Color> result(lengths.size());
+  for (const ColorMember member : kColorMembers) {
+    std::vector<double> values;
+    for (const Color& color : colors) values.push_back(color.*member);
+    const std::vector<double> found = along.at(lengths, values);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      result[i].*member = static_cast<std::uint8_t>(std::lround(found[i]));
+    }
+  }
+  return result;
+}
+
+void append_values(AlongValues& result, const AlongValues& old, const FlattenedSubpath& flat,
+                   std::span<const double> lengths) {
+  if (old.empty()) return;
+  const ValuesByLength along(flat);
+  for (std::size_t i = 0; i < old.channels.size(); ++i) {
+    const std::vector<double> values = along.at(lengths, old.channels[i].values);
+    std::vector<double>& all = result.channels[i].values;
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  if (old.colors.empty()) return;
+  const std::vector<Color> colors = colors_at(along, lengths, old.colors);
+  result.colors.insert(result.colors.end(), colors.begin(), colors.end());
+}
+
+// ---- One path -------------------------------------------------------------------------------
+
+struct PathMeasure {
+  double length = 0;
+  double small_length = 0;  // of curves with the style at less than half its size
+};
+
+// A subpath that stays as it is.
+NewSubpath kept(const Subpath& old, const FlattenedSubpath& flat) {
+  NewSubpath result;
+  if (old.segments.empty()) {
+    result.path.move_to(flat.polyline.points.front());
+    result.lengths = {0};
+    return result;
+  }
+  double length = 0;
+  result.path.move_to(old.segments.front().curve.p0);
+  result.lengths.push_back(0);
+  for (const PathSegment& segment : old.segments) {
+    const CubicBezier& c = segment.curve;
+    if (segment.end_vertex < segment.start_vertex) break;  // the line that Z draws
+    segment.straight ? result.path.line_to(c.p3) : result.path.cubic_to(c.p1, c.p2, c.p3);
+    length += arc_length(c);
+    result.lengths.push_back(length);
+  }
+  if (old.closed) result.path.close();
+  return result;
+}
+
+PathMeasure draw_path(PathRecord& record, const CurveAnalogy& style, std::uint64_t place) {
+  const double size = style.example().feature_size();
+  const std::vector<FlattenedSubpath> flats = flatten(record.path, kFlatness * size);
+  const std::vector<Subpath> old = subpaths(record.path);
+  AlongValues along;
+  for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
+  Path path;
+  PathMeasure measure;
+  for (std::size_t i = 0; i < flats.size(); ++i) {
+    const StyledCurve drawn = style.draw(flats[i].polyline, (place << 24) + i);
+    const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
+    const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
+    const NewSubpath fresh =
+        drawn.runs.empty() ? kept(old[i], flats[i]) : fit(drawn, length, tolerance);
+    path.append(fresh.path);
+    append_values(along, record.along, flats[i], fresh.lengths);
+    measure.length += length;
+    if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
+  }
+  record.path = std::move(path);
+  record.along = std::move(along);
+  record.shape.clear();
+  return measure;
+}
+
+// For each path the first one that is the same curve.
+std::vector<std::size_t> first_equals(std::span<PathRecord* const> records) {
+  std::map<const Path*, std::size_t, decltype(&comes_before)> seen(&comes_before);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    result.push_back(seen.try_emplace(&records[i]->path, i).first->second);
+  }
+  return result;
+}
+
+std::vector<PathRecord*> paths_of(Document& document) {
+  std::vector<PathRecord*> result;
+  for (Record& record : document.records) {
+    if (auto* path = std::get_if<PathRecord>(&record)) result.push_back(path);
+  }
+  return result;
+}
+
+void warn_if_small(std::span<const PathMeasure> measures, const WarningHandler& warn) {
+  double length = 0, small = 0;
+  for (const PathMeasure& measure : measures) {
+    length += measure.length;
+    small += measure.small_length;
+  }
+  if (!warn || !(small > length / 2)) return;
+  std::string share;
+  append_number(share, std::round(100 * small / length));
+  warn({{},
+        "",
+        "the style is large for this drawing: " + share +
+            " % of the lines have it at less than half its size; draw it at a smaller scale"});
+}
+
+}  // namespace
+
+void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {
+  const std::vector<PathRecord*> paths = paths_of(document);
+  const std::vector<std::size_t> places = first_equals(paths);
+  std::vector<PathMeasure> measures(paths.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(paths.size(), options.threads, [&](std::size_t i) {
+    measures[i] = draw_path(*paths[i], style, places[i]);
+    if (!options.progress) return;
+    const std::lock_guard lock(mutex);
+    options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));
+  });
+  warn_if_small(measures, options.warn);
+}
+
+double fitting_scale(const Document& document, std::span<const ExamplePair> pairs,
+                     const CurveAnalogyParameters& parameters) {
+  CurveAnalogyParameters unscaled = parameters;
+  unscaled.scale = 1;
+  const Example example(pairs, unscaled);
+  const double room = room_needed(example);
+  const double corner_angle = parameters.corner_angle * std::numbers::pi / 180;
+  std::vector<double> lengths;
+  double total = 0;
+  for (const Record& record : document.records) {
+    const auto* path = std::get_if<PathRecord>(&record);
+    if (!path) continue;
+    const Box box = path->path.control_box();
+    const double size = std::max(box.width(), box.height());
+    if (!(size > 0)) continue;
+    for (const FlattenedSubpath& flat : flatten(path->path, 0.01 * size)) {
+      for (const PlainLine& line : split_into_lines(flat.polyline, corner_angle, 0.05 * size)) {
+        lengths.push_back(arc_length(line.line));
+        total += lengths.back();
+      }
+    }
+  }
+  std::ranges::sort(lengths);
+  double sum = 0;
+  for (const double length : lengths) {
+    sum += length;
+    if (sum >= total / 2) return length / (kRoomyLine * room);
+  }
+  return 1;
+}
+
+}  // namespace libstyle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Examples from drawings: each curve of one document is a filtered example, and the curve at the
+// same place of another, if there is one, is how it was before.
+#pragma once
+
+#include <vector>
+
+#include "libstyle/analogy/example.h"
+#include "libstyle/curves/document.h"
+
+namespace libstyle {
+
+// `unfiltered` may be null. Subpaths count as curves; single points among them do not. Which places
+// belong together is taken from the "t" values along the curves if both have them, from the
+// vertices if both curves have the same number of them, 8 or more, and from the shapes otherwise.
+// Throws Error when there is no curve, or not as many in both.
+std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered);
+
+}  // namespace libstyle

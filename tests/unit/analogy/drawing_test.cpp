@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/drawing.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "libstyle/curves/writer.h"
+#include "libstyle/geometry/path_data.h"
+#include "tests/support/matchers.h"
+
+namespace libstyle {
+namespace {
+
+std::vector<ExamplePair> wavy_pairs() {
+  Polyline wave;
+  for (int i = 0; i <= 1600; ++i) {
+    const double x = 0.25 * i;
+    wave.points.push_back({x, (3 + std::sin(x / 37)) * std::sin(2 * std::numbers::pi * x / 16)});
+  }
+  ExamplePair pair;
+  pair.filtered = with_length_parameter(wave);
+  return {pair};
+}
+
+PathRecord path_record(std::string id, std::string_view data) {
+  PathRecord record;
+  record.id = std::move(id);
+  record.path = parse_path_data(data);
+  return record;
+}
+
+const CurveAnalogy& wavy_style() {
+  static const CurveAnalogy style(wavy_pairs(), {});
+  return style;
+}
+
+Document drawn(Document document, int threads = 1) {
+  draw_again(document, wavy_style(), {.threads = threads, .progress = {}, .warn = {}});
+  return document;
+}
+
+const PathRecord& path_at(const Document& document, std::size_t i) {
+  return std::get<PathRecord>(document.records[i]);
+}
+
+std::string text_of(const Document& document) {
+  TextSink sink;
+  write_document(sink, document);
+  return sink.text;
+}
+
+TEST(DrawAgain, ChangesOnlyTheShapeOfPaths) {
+  Document document;
+  document.header.name = "plan";
+  GroupRecord walls;
+  walls.id = "walls";
+  document.records.push_back(walls);
+  PathRecord wall = path_record("wall", "M0 0 L300 0");
+  wall.parent = "walls";
+  wall.classes = "outer thick";
+  wall.shape = "line";
+  wall.style.stroke = Color{200, 0, 0};
+  wall.style.stroke_width = 3;
+  wall.extras.push_back({"data-height", "\"2.4\""});
+  document.records.push_back(wall);
+  document.records.push_back(UnknownRecord{R"({"type":"note","text":"hello"})"});
+  const Document result = drawn(document);
+  const PathRecord& after = path_at(result, 1);
+  EXPECT_NE(after.path, wall.path);
+  EXPECT_EQ(after.shape, "");
+  PathRecord put_back = after;
+  put_back.path = wall.path;
+  put_back.shape = wall.shape;
+  Document same = result;
+  same.records[1] = put_back;
+  EXPECT_EQ(text_of(same), text_of(document));
+}
+
+TEST(DrawAgain, LinesThatMetStillMeet) {
+  Document document;
+  document.records.push_back(path_record("a", "M0 0 L100.123456 20.1234567"));
+  document.records.push_back(
+      path_record("b", "M100.123456 20.1234567 C150 0 200 80 250.55555 100.77777"));
+  const Document result = drawn(document);
+  EXPECT_EQ(path_at(result, 0).path.vertices().back(), (Point{100.123456, 20.1234567}));
+  EXPECT_EQ(path_at(result, 1).path.vertices().front(), (Point{100.123456, 20.1234567}));
+  EXPECT_EQ(path_at(result, 1).path.vertices().back(), (Point{250.55555, 100.77777}));
+}
+
+TEST(DrawAgain, EverySubpathStaysASubpathClosedAsBefore) {
+  Document document;
+  document.records.push_back(path_record(
+      "letter", "M0 0 L120 0 L120 90 L0 90 Z M30 30 C30 60 90 60 90 30 Z M200 0 L300 50 M9 9"));
+  const Path path = path_at(drawn(document), 0).path;
+  std::vector<bool> closed;
+  for (const PathCommand command : path.commands()) {
+    if (command == PathCommand::kMove) closed.push_back(false);
+    if (command == PathCommand::kClose) closed.back() = true;
+  }
+  EXPECT_THAT(closed, testing::ElementsAre(true, true, false, false));
+}
+
+TEST(DrawAgain, CornersOfOutlinesAreVerticesAgain) {
+  Document document;
+  document.records.push_back(path_record("box", "M10 10 L210 10 L210 130 L10 130 Z"));
+  const std::vector<Point> vertices = path_at(drawn(document), 0).path.vertices();
+  for (const Point corner : {Point{10, 10}, Point{210, 10}, Point{210, 130}, Point{10, 130}}) {
+    EXPECT_THAT(vertices, testing::Contains(corner));
+  }
+}
+
+TEST(DrawAgain, AFillingAndItsOutlineAreDrawnAlike) {
+  Document document;
+  document.records.push_back(path_record("filling", "M0 0 L200 0 L100 150 Z"));
+  document.records.push_back(path_record("other", "M0 0 L200 0 L100 150"));
+  document.records.push_back(path_record("outline", "M0 0 L200 0 L100 150 Z"));
+  const Document result = drawn(document);
+  EXPECT_EQ(path_at(result, 0).path, path_at(result, 2).path);
+  EXPECT_NE(path_at(result, 0).path, path_at(result, 1).path);
+}
+
+TEST(DrawAgain, CarriesValuesAlongTheCurve) {
+  Document document;
+  PathRecord record = path_record("stroke", "M0 0 L100 0 L200 0");
+  record.along.channels = {{"width", {1, 5, 1}}};
+  record.along.colors = {{0, 0, 0}, {200, 100, 0}, {0, 0, 0}};
+  document.records.push_back(record);
+  const PathRecord after = path_at(drawn(document), 0);
+  const std::vector<Point> vertices = after.path.vertices();
+  const std::vector<double>& widths = *after.along.find("width");
+  ASSERT_EQ(widths.size(), vertices.size());
+  ASSERT_EQ(after.along.colors.size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const double expected = 5 - 4 * std::abs(vertices[i].x - 100) / 100;
+    EXPECT_NEAR(widths[i], expected, 0.3);
+    EXPECT_NEAR(after.along.colors[i].red, 50 * (widths[i] - 1), 1);
+  }
+  EXPECT_EQ(widths.front(), 1);
+  EXPECT_EQ(widths.back(), 1);
+}
+
+TEST(DrawAgain, WritesFewSmoothPieces) {
+  Document document;
+  document.records.push_back(path_record("line", "M0 0 L400 0"));
+  const Path path = path_at(drawn(document), 0).path;
+  // 50 crests and troughs; a polyline of the same exactness has over 500 points.
+  EXPECT_LT(path.vertex_count(), 160u);
+}
+
+TEST(DrawAgain, CurvesTooSmallForAnyStyleStayAsTheyAre) {
+  Document document;
+  document.records.push_back(path_record("dot", "M5 5 L5 5 Z"));
+  document.records.push_back(path_record("speck", "M0 0 C0.1 0 0.1 0.1 0 0.1 Z"));
+  document.records.push_back(path_record("point", "M5 5"));
+  const Document result = drawn(document);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(path_at(result, i).path, path_at(document, i).path);
+  }
+}
+
+TEST(DrawAgain, ThreadsDoNotChangeTheResult) {
+  Document document;
+  for (int i = 0; i < 20; ++i) {
+    PathRecord record = path_record("", "M0 0 C100 0 100 100 200 100");
+    record.path.transform(Transform::translation({10.0 * i, 0}));
+    document.records.push_back(record);
+  }
+  const std::string one = text_of(drawn(document, 1));
+  EXPECT_EQ(text_of(drawn(document, 2)), one);
+  EXPECT_EQ(text_of(drawn(document, 7)), one);
+}
+
+TEST(DrawAgain, WarnsWhenTheStyleIsTooLarge) {
+  Document document;
+  document.records.push_back(path_record("small", "M0 0 L8 0 L8 8 L0 8 Z"));
+  std::vector<std::string> warnings;
+  draw_again(document, wavy_style(),
+             {.threads = 1, .progress = {}, .warn = [&](const Warning& warning) {
+                warnings.push_back(warning.message);
+              }});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], testing::HasSubstr("smaller scale"));
+  EXPECT_THAT(warnings[0], testing::HasSubstr("100 %"));
+}
+
+TEST(DrawAgain, TellsHowFarItIs) {
+  Document document;
+  for (int i = 0; i < 5; ++i) document.records.push_back(path_record("", "M0 0 L90 0"));
+  std::vector<double> told;
+  draw_again(document, wavy_style(),
+             {.threads = 2, .progress = [&](double done) { told.push_back(done); }, .warn = {}});
+  EXPECT_THAT(told, testing::ElementsAre(0.2, 0.4, 0.6, 0.8, 1.0));
+}
+
+TEST(FittingScale, GrowsWithTheDrawing) {
+  Document document;
+  document.records.push_back(path_record("box", "M0 0 L200 0 L200 100 L0 100 Z"));
+  const double scale = fitting_scale(document, wavy_pairs(), {});
+  std::get<PathRecord>(document.records[0]).path.transform(Transform::scaling(3, 3));
+  EXPECT_NEAR(fitting_scale(document, wavy_pairs(), {}), 3 * scale, 1e-9);
+  EXPECT_EQ(fitting_scale({}, wavy_pairs(), {}), 1);
+}
+
+}  // namespace
+}  // namespace libstyle

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/example_document.h"
+
+#include <gmock/gmock.h>
+
+#include "libstyle/base/error.h"
+#include "libstyle/geometry/path_data.h"
+
+namespace libstyle {
+namespace {
+
+Document document_of(std::initializer_list<std::string_view> paths) {
+  Document document;
+  for (const std::string_view data : paths) {
+    PathRecord record;
+    record.path = parse_path_data(data);
+    document.records.push_back(record);
+  }
+  return document;
+}
+
+TEST(ExamplePairs, PairCurvesInTheirOrder) {
+  const Document plain = document_of({"M0 0 L10 0", "M0 20 L10 20 M0 40 L10 40"});
+  const Document styled = document_of({"M0 0 L5 1 L10 0 M0 20 L5 21 L10 20", "M0 40 L5 41 L10 40"});
+  const std::vector<ExamplePair> pairs = example_pairs(&plain, styled);
+  ASSERT_EQ(pairs.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(pairs[i].unfiltered->polyline.points.front(),
+              (Point{0, 20.0 * static_cast<double>(i)}));
+    EXPECT_EQ(pairs[i].filtered.polyline.points[1], (Point{5, 20.0 * static_cast<double>(i) + 1}));
+    EXPECT_FALSE(pairs[i].same_parameter);
+  }
+}
+
+TEST(ExamplePairs, WithoutUnfilteredCurvesHaveNone) {
+  const std::vector<ExamplePair> pairs = example_pairs(nullptr, document_of({"M0 0 L9 9", "M5 5"}));
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_FALSE(pairs[0].unfiltered);
+}
+
+TEST(ExamplePairs, ManyVerticesOfTheSameNumberBelongTogether) {
+  const Document plain = document_of({"M0 0 L1 0 L2 0 L3 0 L4 0 L5 0 L6 0 L70 0"});
+  const Document styled = document_of({"M0 0 L1 1 L2 0 L3 1 L4 0 C5 0 5 1 5 1 L6 0 L70 1"});
+  const std::vector<ExamplePair> pairs = example_pairs(&plain, styled);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_TRUE(pairs[0].same_parameter);
+  EXPECT_EQ(pairs[0].unfiltered->t.back(), 7);
+  EXPECT_EQ(pairs[0].filtered.t.back(), 7);
+  EXPECT_EQ(point_at_parameter(*pairs[0].unfiltered, 6.5), (Point{38, 0}));
+}
+
+TEST(ExamplePairs, GivenParametersComeFirst) {
+  Document plain = document_of({"M0 0 L10 0"}), styled = document_of({"M0 0 L2 3 L10 0"});
+  std::get<PathRecord>(plain.records[0]).along.channels = {{"t", {0, 1}}};
+  std::get<PathRecord>(styled.records[0]).along.channels = {{"t", {0, 0.25, 1}}};
+  const std::vector<ExamplePair> pairs = example_pairs(&plain, styled);
+  EXPECT_TRUE(pairs[0].same_parameter);
+  EXPECT_THAT(pairs[0].filtered.t, testing::ElementsAre(0, 0.25, 1));
+}
+
+TEST(ExamplePairs, SayWhatIsMissing) {
+  const auto complaint = [](const Document* plain, const Document& styled) {
+    try {
+      example_pairs(plain, styled);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Document none, one = document_of({"M0 0 L1 0"}),
+                       two = document_of({"M0 0 L1 0", "M0 9 L1 9"});
+  EXPECT_THAT(complaint(nullptr, none), testing::HasSubstr("no curve"));
+  EXPECT_THAT(complaint(&one, two), testing::HasSubstr("1 curve, the filtered one 2 curves"));
+}
+
+}  // namespace
+}  // namespace libstyle
