@@ -61,9 +61,9 @@ class PictureFiles {
                const WarningHandler& warn)
       : names_(output), settings_(settings), warn_(warn) {}
 
-  void add(const Document& document) {
+  void add(const Document& document, const std::string& input) {
     if (names_.takes_several() || !picture_) begin(names_.next(document.header.name));
-    picture_->add(document);
+    picture_->add(document, display_name(input));
     if (names_.takes_several()) end();
   }
 
@@ -92,23 +92,17 @@ class PictureFiles {
 };
 
 void run(const Settings& settings, Session& session) {
-  std::string input;
-  const WarningHandler warn_of_file = [&](const Warning& warning) {
-    Warning placed = warning;
-    if (placed.place.file.empty()) placed.place.file = display_name(input);
-    session.warn(placed);
-  };
-  PictureFiles pictures(settings.output, picture_settings(settings), warn_of_file);
+  const WarningHandler warn = session.warning_handler();
+  PictureFiles pictures(settings.output, picture_settings(settings), warn);
   const std::vector<std::string> from_stdin = {"-"};
   Document document;
-  for (const std::string& name : settings.inputs.empty() ? from_stdin : settings.inputs) {
-    input = name;
-    DocumentInput documents(name, session.warning_handler());
+  for (const std::string& input : settings.inputs.empty() ? from_stdin : settings.inputs) {
+    DocumentInput documents(input, warn);
     if (!documents.read(document)) {
-      throw Error({display_name(name)}, "holds no document; a document begins with a header line");
+      throw Error({display_name(input)}, "holds no document; a document begins with a header line");
     }
     do {
-      pictures.add(document);
+      pictures.add(document, input);
     } while (documents.read(document));
   }
   pictures.finish();

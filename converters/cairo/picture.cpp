@@ -19,17 +19,17 @@ namespace {
 constexpr double kPointsPerPx = 0.75;    // PDF counts in 1/72 inch, CSS in 1/96
 constexpr double kMostSide = 32767;      // px; Cairo's limit for images
 constexpr double kMostPixels = 1 << 28;  // a gigabyte of them
-constexpr double kMostPoints = 1 << 20;  // leaves Cairo room in its 24.8 fixed point
+constexpr double kMostUnits = 1 << 20;   // leaves Cairo room in its 24.8 fixed point
 
 // A picture's side in whole pixels: up, as rsvg-convert does, but not for the last digit's sake.
 double whole_pixels(double side) { return std::max(1.0, std::ceil(side - 1e-6)); }
 
-CairoSurface make_image(const Viewport& viewport, std::size_t line) {
+CairoSurface make_image(const Viewport& viewport) {
   const double width = whole_pixels(viewport.width), height = whole_pixels(viewport.height);
   if (width > kMostSide || height > kMostSide || width * height > kMostPixels) {
-    throw Error({"", line},
-                "the picture is too large for PNG (at most 32767 px a side and 268 million "
-                "pixels); set --width, or draw it as PDF");
+    throw Error(
+        "the picture is too large for PNG (at most 32767 px a side and 268 million pixels); set "
+        "--width, or draw it as PDF");
   }
   CairoSurface image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(width),
                                                 static_cast<int>(height)));
@@ -37,10 +37,13 @@ CairoSurface make_image(const Viewport& viewport, std::size_t line) {
   return image;
 }
 
-void check_vector_size(double width, double height, std::size_t line) {
-  if (width > kMostPoints || height > kMostPoints) {
-    throw Error({"", line},
-                "the picture is too large (at most a million units a side); set --width");
+// Does some work on a document, and says of an error where that document is.
+template <typename Work>
+auto at_place(const Place& place, Work work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(place, error.what());
   }
 }
 
@@ -59,15 +62,16 @@ class Picture::Implementation {
   Implementation(ByteSink& sink, const PictureSettings& settings, WarningHandler warn)
       : sink_(sink), settings_(settings), warn_(std::move(warn)) {}
 
-  void add(const Document& document) {
+  void add(const Document& document, const std::string& file) {
+    place_ = {file, document.header.line};
     if (full_) {
-      throw Error({"", document.header.line},
-                  "a second document, but this picture holds one; name "
-                  "the output with {name} or {number}, or use PDF, which takes one a page");
+      throw Error(place_,
+                  "a second document, but this picture holds one; name the output with {name} or "
+                  "{number}, or use PDF, which takes one a page");
     }
     const Viewport viewport = viewport_of(document);
     if (settings_.format == PictureFormat::kPng) {
-      const CairoSurface image = make_image(viewport, document.header.line);
+      const CairoSurface image = at_place(place_, [&] { return make_image(viewport); });
       draw(image.get(), document, viewport.picture_from_page);
       write_png(sink_, image.get());
     } else {
@@ -83,15 +87,17 @@ class Picture::Implementation {
   }
 
  private:
+  void warn(Warning warning) const {
+    if (!warn_) return;
+    warning.place.file = place_.file;
+    warn_(warning);
+  }
+
   Viewport viewport_of(const Document& document) const {
-    Viewport viewport = make_viewport(document, settings_.size);
+    Viewport viewport = at_place(place_, [&] { return make_viewport(document, settings_.size); });
     if (viewport.width > 0) return viewport;
-    if (warn_) {
-      warn_({{"", document.header.line},
-             "",
-             "the page has no size and nothing is drawn on it; "
-             "the picture is one empty pixel"});
-    }
+    warn({place_, "",
+          "the page has no size and nothing is drawn on it; the picture is one empty pixel"});
     return {1, 1, Transform{}};
   }
 
@@ -99,11 +105,13 @@ class Picture::Implementation {
     const bool is_pdf = settings_.format == PictureFormat::kPdf;
     const double unit = is_pdf ? kPointsPerPx : 1;
     const double width = unit * viewport.width, height = unit * viewport.height;
-    check_vector_size(width, height, document.header.line);
+    if (width > kMostUnits || height > kMostUnits) {
+      throw Error(place_, "the picture is too large (at most a million units a side); set --width");
+    }
     if (!vector_) vector_ = make_vector(width, height);
     if (is_pdf) cairo_pdf_surface_set_size(vector_.get(), width, height);
     draw(vector_.get(), document, Transform::scaling(unit, unit) * viewport.picture_from_page);
-    cairo_surface_show_page(vector_.get());
+    if (is_pdf) cairo_surface_show_page(vector_.get());
     check_vector();
   }
 
@@ -129,8 +137,11 @@ class Picture::Implementation {
                             color.blue / 255.0, color.alpha / 255.0);
       cairo_paint(context.get());
     }
-    draw_document(context.get(), document, device_from_page, warn_);
-    check_cairo(cairo_status(context.get()), "drawing");
+    at_place(place_, [&] {
+      draw_document(context.get(), document, device_from_page, [&](const Warning& w) { warn(w); });
+    });
+    if (failure_) std::rethrow_exception(failure_);
+    at_place(place_, [&] { check_cairo(cairo_status(context.get()), "drawing"); });
   }
 
   // Cairo is C: an exception waits here until the call has returned.
@@ -153,9 +164,10 @@ class Picture::Implementation {
   ByteSink& sink_;
   const PictureSettings settings_;
   const WarningHandler warn_;
-  std::exception_ptr failure_;
-  CairoSurface vector_;  // of SVG and PDF; last, since closing it still writes
+  Place place_;  // of the document being drawn
   bool full_ = false;
+  std::exception_ptr failure_;  // of the sink
+  CairoSurface vector_;         // of SVG and PDF; last, since closing it still writes
 };
 
 Picture::Picture(ByteSink& sink, const PictureSettings& settings, WarningHandler warn)
@@ -163,7 +175,9 @@ Picture::Picture(ByteSink& sink, const PictureSettings& settings, WarningHandler
 
 Picture::~Picture() = default;
 
-void Picture::add(const Document& document) { implementation_->add(document); }
+void Picture::add(const Document& document, const std::string& file) {
+  implementation_->add(document, file);
+}
 
 void Picture::finish() { implementation_->finish(); }
 

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "converters/cairo/viewport.h"
@@ -31,8 +32,9 @@ class Picture {
   Picture(ByteSink& sink, const PictureSettings& settings, WarningHandler warn);
   ~Picture();
 
-  // Draws a document. Throws Error when it cannot be drawn, or when the picture is full.
-  void add(const Document& document);
+  // Draws a document; `file` is where messages say it comes from. Throws Error when it cannot be
+  // drawn, or when the picture is full.
+  void add(const Document& document, const std::string& file = "");
 
   // Writes what is left. A picture without it is not whole.
   void finish();

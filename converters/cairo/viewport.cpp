@@ -46,8 +46,7 @@ Viewport make_viewport(const Document& document, const PictureSize& size) {
   viewport.picture_from_page.f = -scale * page.low.y;
   if (!viewport.picture_from_page.is_finite() || !std::isfinite(viewport.width) ||
       !std::isfinite(viewport.height) || !(scale > 0)) {
-    throw Error({"", document.header.line},
-                "the page is too large or too small to be drawn; check its width and height");
+    throw Error("the page is too large or too small to be drawn; check its width and height");
   }
   return viewport;
 }

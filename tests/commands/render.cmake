@@ -23,3 +23,28 @@ command_case(render/empty-input RUN "render < /dev/null" EXIT 1 STDERR "~render:
 command_case(render/missing-file RUN "render nowhere.curves" EXIT 1 STDERR "render: nowhere.curves: cannot be opened: No such file or directory")
 command_case(render/full-disk
   RUN "svg2curves drawings/plan.svg | render -o /dev/full --format png" EXIT 1 STDERR "render: /dev/full: cannot be written: No space left on device")
+command_case(render/second-document-in-one-png
+  RUN "svg2curves drawings/plan.svg drawings/harbour.svg | render -o $OUT/a.png; test $? = 1 && test $(ls $OUT | wc -l) = 0"
+  STDERR "~render: stdin:[0-9]+: a second document, .*")
+command_case(render/several-documents-in-one-pdf
+  RUN "svg2curves drawings/plan.svg drawings/harbour.svg | render --format pdf | grep -ac '/Count 2'" SAME "echo 1")
+command_case(render/missing-references-name-file-and-line
+  RUN [[printf '%s\n' '{"curves":1,"width":9,"height":9}' '{"type":"path","id":"a","in":"g","clip":"c","fill":"url(#p)","d":"M0 0 L9 0 L9 9 Z"}' | render | head -c 4 | od -An -tx1 | tr -d ' ']] SAME "echo 89504e47"
+  STDERR "~render: stdin:2: warning: #a: the group .g. is not there.*
+~render: stdin:2: warning: #a: the clip .c. is not there.*
+~render: stdin:2: warning: #a: the gradient .p. is not there.*")
+command_case(render/width-and-height-are-bounds
+  RUN "svg2curves drawings/plan.svg | render -w 100 -h 2000" SAME "svg2curves drawings/plan.svg | render -w 100")
+command_case(render/width-must-be-above-nought
+  RUN "render --width 0 drawings/plan.svg" EXIT 2 STDERR "render: --width must be above 0; see render --help")
+command_case(render/background-must-be-a-color
+  RUN "render --background blurple drawings/plan.svg" EXIT 2
+  STDERR "~render: --background: .blurple. is not a CSS color; see render --help")
+command_case(render/output-must-say-its-format
+  RUN "render -o $OUT/plan.jpg drawings/plan.svg" EXIT 2 STDERR "~render: --output: .* --format; see render --help")
+command_case(render/picture-too-large
+  RUN "render -w 1e9 drawings/plan.svg" EXIT 1 STDERR "~render: drawings/plan.svg: the picture is too large for PNG.*")
+command_case(render/coordinates-beyond-all-bounds
+  RUN "svg2curves --quiet broken/huge-coordinates.svg | render --quiet -o $OUT/a.png && head -c 4 $OUT/a.png | od -An -tx1 | tr -d ' '" SAME "echo 89504e47")
+command_case(render/closed-pipe-is-quiet
+  RUN "svg2curves drawings/plan.svg | render -w 4000 | head -c 100 | wc -c" SAME "echo 100")
