@@ -90,6 +90,16 @@ void DocumentBuilder::add_path(pugi::xml_node element, PathRecord path, const st
   document_.records.emplace_back(std::move(path));
 }
 
+std::string DocumentBuilder::add_gradient(pugi::xml_node element, GradientRecord gradient) {
+  describe(gradient, element);
+  gradient.id = ids_.make(text_of(element.attribute("id")));
+  const std::string_view carried = element.attribute(kCarriedKeys).value();
+  if (!carried.empty()) warn_unless(restore_carried_keys(carried, gradient), element);
+  std::string id = gradient.id;
+  document_.records.emplace_back(std::move(gradient));
+  return id;
+}
+
 std::string DocumentBuilder::add_clip(pugi::xml_node element, std::vector<ClipPart> parts,
                                       const std::string& outer_clip) {
   ClipRecord clip;

@@ -47,6 +47,9 @@ class DocumentBuilder {
   // Adds a path for an element, with the element's id and notes.
   void add_path(pugi::xml_node element, PathRecord path, const std::string& parent);
 
+  // Adds a gradient for an element and returns its id.
+  std::string add_gradient(pugi::xml_node element, GradientRecord gradient);
+
   // Adds a clip and returns its id. `element` may be null.
   std::string add_clip(pugi::xml_node element, std::vector<ClipPart> parts,
                        const std::string& outer_clip);

@@ -10,12 +10,12 @@
 //    each element asks
 //    - cascade: what its properties are (style_sheet, selector, property),
 //    - element_path: what its path is (path_grammar, shapes, length),
-//    - stroke and paint: how that is painted,
+//    - painter: how that is painted (stroke, gradients),
 //    then brings all of it to the page.
 // 4. document_builder: the records.
 //
 // Carried: svg, g, a, switch, use, symbol, the basic shapes and path; transforms, viewBox, every
-// unit; style sheets; fill and stroke in full; opacity; ids, classes, layers, labels and data-*
+// unit; style sheets; fill and stroke in full; gradients; opacity; ids, classes, layers, labels and data-*
 // attributes. What is hidden stays, as hidden. Not carried, with one warning for each element:
 // text, images, foreignObject, filters, masks, patterns, markers, animation, scripts.
 //

@@ -10,7 +10,6 @@
 #include "converters/svg/page.h"
 #include "converters/svg/shape_element.h"
 #include "converters/svg/shapes.h"
-#include "converters/svg/stroke.h"
 
 namespace libstyle::svg {
 namespace {
@@ -40,7 +39,8 @@ Walker::Walker(const XmlFile& file, const FileIndex& index, const SvgLimits& lim
       limits_(limits),
       reporter_(reporter),
       document_(document),
-      builder_(file, reporter, document) {}
+      builder_(file, reporter, document),
+      painter_(index, reporter, builder_) {}
 
 // --- Structure ----------------------------------------------------------------------------------
 
@@ -216,6 +216,9 @@ void Walker::draw_shape(pugi::xml_node element, ElementKind kind, const Scope& s
   record.path = element_path(element, kind, scope.style, scope.viewport, reporter_);
   if (record.path.empty()) return;
   count_points(element, record.path);
+  const LengthContext context = length_context(scope.style, scope.viewport);
+  record.style =
+      painter_.painted_style(element, scope.style, {record.path, scope.page_from_user, context});
   record.path.transform(scope.page_from_user);
   if (!is_finite(record.path)) {
     return reporter_.warn(element, "has coordinates that are too large; it is left out");
@@ -224,42 +227,7 @@ void Walker::draw_shape(pugi::xml_node element, ElementKind kind, const Scope& s
   warn_markers(element, kind, scope.style);
   record.shape = shape_name(kind, element);
   settle_shape(record.shape, record.path);
-  record.style = painted_style(element, scope);
   builder_.add_path(element, std::move(record), scope.group);
-}
-
-// The fill is always said: a path that says nothing about its paint is a bare curve.
-Style Walker::painted_style(pugi::xml_node element, const Scope& scope) {
-  const ComputedStyle& computed = scope.style;
-  Style style;
-  style.fill_opacity = computed.fill_opacity;
-  style.fill = resolve_paint(element, computed.fill, computed, style.fill_opacity);
-  if (!style.fill) style.fill = NoPaint{};
-  style.fill_rule = computed.fill_rule;
-  style.stroke_opacity = computed.stroke_opacity;
-  style.stroke = resolve_paint(element, computed.stroke, computed, style.stroke_opacity);
-  style.stroke_first = style.stroke && computed.stroke_first;
-  if (style.stroke &&
-      !set_stroke_geometry(style, computed, length_context(computed, scope.viewport),
-                           scope.page_from_user)) {
-    reporter_.warn(element, "has a stroke that is too large; it is left out");
-    style.stroke.reset();
-  }
-  style.opacity = computed.opacity;
-  style.hidden = computed.display == Display::kNone || computed.visibility == Visibility::kHidden ||
-                 scope.page_from_user.determinant() == 0;
-  return style;
-}
-
-// The alpha of a colour goes into the opacity of the paint.
-std::optional<Paint> Walker::resolve_paint(pugi::xml_node element, const SpecifiedPaint& specified,
-                                           const ComputedStyle& style, double& opacity) {
-  const pugi::xml_node server = index_.find_reference(specified.reference);
-  if (server) reporter_.warn(element, "paint by " + std::string(server.name()) + " is not carried");
-  const std::optional<CssColor> color = specified.solid.resolve(style.color);
-  if (!color) return std::nullopt;
-  opacity *= color->alpha;
-  return color->color;
 }
 
 // --- Limits and warnings ------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "converters/svg/document_builder.h"
 #include "converters/svg/element_kind.h"
 #include "converters/svg/file_index.h"
+#include "converters/svg/painter.h"
 #include "converters/svg/reporter.h"
 #include "converters/svg/svg_reader.h"
 #include "converters/svg/view_box.h"
@@ -49,9 +50,6 @@ class Walker {
   void open_group(pugi::xml_node element, Scope& scope, const std::string& clip = "");
   std::string add_viewport_clip(const Rectangle& viewport, const Scope& scope);
   Rectangle viewport_of(const ComputedStyle& style, const Scope& scope) const;
-  Style painted_style(pugi::xml_node element, const Scope& scope);
-  std::optional<Paint> resolve_paint(pugi::xml_node element, const SpecifiedPaint& specified,
-                                     const ComputedStyle& style, double& opacity);
   bool is_cycle(pugi::xml_node use, pugi::xml_node target) const;
   void count_element(pugi::xml_node element, const Scope& scope);
   void count_points(pugi::xml_node element, const Path& path);
@@ -64,6 +62,7 @@ class Walker {
   Reporter& reporter_;
   Document& document_;
   DocumentBuilder builder_;
+  Painter painter_;
   std::vector<pugi::xml_node> targets_;  // of the use elements that are being drawn
   std::size_t used_elements_ = 0;
   std::size_t points_ = 0;

@@ -19,6 +19,8 @@ struct Reading {
 
   std::vector<const PathRecord*> paths() const { return all<PathRecord>(); }
   std::vector<const GroupRecord*> groups() const { return all<GroupRecord>(); }
+  std::vector<const GradientRecord*> gradients() const { return all<GradientRecord>(); }
+  std::vector<const ClipRecord*> clips() const { return all<ClipRecord>(); }
 
   // The one record of its kind, as most tests draw one thing.
   const PathRecord& path() const { return only(paths()); }
