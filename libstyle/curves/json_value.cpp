@@ -116,18 +116,17 @@ void read_exactly(Value& value, std::span<double> numbers) {
   std::ranges::copy(read, numbers.begin());
 }
 
-simdjson::dom::element RawChecker::check_json(std::string_view text) {
-  simdjson::dom::element element;
+RawChecker::Checked RawChecker::check_text(std::string_view text) {
+  Checked checked{text, {}};
   constexpr bool kCopyForPadding = false;
-  check(parser_.parse(text.data(), text.size(), kCopyForPadding).get(element));
-  return element;
+  check(parser_.parse(text.data(), text.size(), kCopyForPadding).get(checked.element));
+  return checked;
 }
 
-std::string_view RawChecker::raw_json(Value& value) {
+RawChecker::Checked RawChecker::check_value(Value& value) {
   std::string_view text;
   check(simdjson::to_json_string(value).get(text));
-  check_json(text);
-  return text;
+  return check_text(text);
 }
 
 std::string to_compact(std::string_view json) {

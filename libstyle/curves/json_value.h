@@ -3,8 +3,7 @@
 // libstyle/curves; simdjson is a heavy header, so only the reader includes this.
 //
 // simdjson's On Demand parser goes over the text once and checks what it is asked for, no more.
-// Known keys are asked for value by value; everything unknown goes through raw_json, which checks
-// it as a whole.
+// Known keys are asked for value by value; everything unknown goes through RawChecker.
 #pragma once
 
 #include <simdjson.h>
@@ -50,14 +49,17 @@ std::vector<double> read_numbers(Value& value, double low);
 // Exactly `numbers.size()` finite numbers.
 void read_exactly(Value& value, std::span<double> numbers);
 
-// Checks text of unknown meaning as a whole.
+// Checks what has no known meaning as a whole.
 class RawChecker {
  public:
-  // Throws Error unless `text` is one JSON value. simdjson's padding must follow it.
-  simdjson::dom::element check_json(std::string_view text);
+  struct Checked {
+    std::string_view text;
+    simdjson::dom::element element;  // valid until the next check
+  };
 
-  // The text of a value, checked.
-  std::string_view raw_json(Value& value);
+  // Throws Error unless `text` is one JSON value. simdjson's padding must follow it.
+  Checked check_text(std::string_view text);
+  Checked check_value(Value& value);
 
  private:
   simdjson::dom::parser parser_;

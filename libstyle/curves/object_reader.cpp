@@ -14,6 +14,8 @@ struct KnownChannel {
 constexpr KnownChannel kKnownChannels[] = {
     {"width", 0, kInfinity}, {"pressure", 0, 1}, {"t", -kInfinity, kInfinity}};
 
+constexpr const char* kNotAChannel = ": must be an array with one value for each vertex";
+
 Color read_color(json::Value& value) {
   const std::optional<Color> color = parse_color(json::read_text(value));
   if (!color) json::fail_wanted(value, "a color like \"#00aaff\"");
@@ -26,14 +28,14 @@ Color read_opaque_color(json::Value& value) {
   return color;
 }
 
-// The numbers of an array that has nothing else in it.
-std::optional<std::vector<double>> to_numbers(simdjson::dom::element element) {
-  simdjson::dom::array array;
-  if (element.get_array().get(array) != simdjson::SUCCESS) return std::nullopt;
+// The numbers of an array of numbers; none for anything else.
+std::vector<double> to_numbers(simdjson::dom::element element) {
   std::vector<double> numbers;
+  simdjson::dom::array array;
+  if (element.get_array().get(array) != simdjson::SUCCESS) return {};
   for (const simdjson::dom::element item : array) {
     double number = 0;
-    if (item.get_double().get(number) != simdjson::SUCCESS) return std::nullopt;
+    if (item.get_double().get(number) != simdjson::SUCCESS) return {};
     numbers.push_back(number);
   }
   return numbers;
@@ -128,16 +130,17 @@ void ObjectReader::read_value(PaintForm, Value& value, std::optional<Paint>& pai
 void ObjectReader::read_value(AlongForm, Value& value, AlongValues& along) {
   json::ondemand::object members;
   if (value.get_object().get(members) != simdjson::SUCCESS) json::fail_wanted(value, "an object");
-  bool colors_seen = false;
   for (auto field : members) {
-    std::string_view key;
-    json::check(field.unescaped_key().get(key));
-    const std::string name(key);
+    std::string_view name;
+    json::check(field.unescaped_key().get(name));
     json::Value member;
     json::check(field.value().get(member));
+    if (along.find(name) || (name == "color" && !along.colors.empty())) {
+      throw Error(quoted(name) + " is there twice");
+    }
     if (name == "color") {
-      if (std::exchange(colors_seen, true)) throw Error("\"color\" is there twice");
       json::read_list(member, [&](Value& item) { along.colors.push_back(read_color(item)); });
+      if (along.colors.empty()) throw Error(quoted(name) + kNotAChannel);
     } else {
       read_channel(name, member, along);
     }
@@ -146,18 +149,17 @@ void ObjectReader::read_value(AlongForm, Value& value, AlongValues& along) {
 
 // An array of numbers is a channel, whatever its name; anything else is kept as it is.
 void ObjectReader::read_channel(std::string_view name, Value& value, AlongValues& along) {
-  if (along.find(name)) throw Error(quoted(name) + " is there twice");
-  const std::string_view text = raw_checker_.raw_json(value);
-  std::optional<std::vector<double>> numbers = to_numbers(raw_checker_.check_json(text));
+  const json::RawChecker::Checked checked = raw_checker_.check_value(value);
+  std::vector<double> numbers = to_numbers(checked.element);
   const auto known = std::ranges::find(kKnownChannels, name, &KnownChannel::name);
-  if (numbers) {
-    const Channel& channel =
-        along.channels.emplace_back(Channel{std::string(name), std::move(*numbers)});
-    if (known != std::end(kKnownChannels)) check_range(channel, *known);
-  } else if (known != std::end(kKnownChannels)) {
-    throw Error(quoted(name) + ": must be an array of numbers");
+  const bool is_known = known != std::end(kKnownChannels);
+  if (!numbers.empty()) {
+    along.channels.push_back({std::string(name), std::move(numbers)});
+    if (is_known) check_range(along.channels.back(), *known);
+  } else if (is_known) {
+    throw Error(quoted(name) + kNotAChannel);
   } else {
-    along.extras.push_back({std::string(name), json::to_compact(text)});
+    along.extras.push_back({std::string(name), json::to_compact(checked.text)});
   }
 }
 

@@ -128,7 +128,7 @@ class ObjectReader {
   }
 
   void keep_extra(std::string_view key, Value& value, std::vector<Extra>& extras) {
-    extras.push_back({std::string(key), json::to_compact(raw_checker_.raw_json(value))});
+    extras.push_back({std::string(key), json::to_compact(raw_checker_.check_value(value).text)});
   }
 
   // ---- Values, one function a form ----

@@ -154,9 +154,8 @@ class Reader::Implementation {
   }
 
   UnknownRecord to_unknown(const Line& line) {
-    const simdjson::dom::element element = object_reader_.raw_checker().check_json(line.text);
-    simdjson::dom::element version;
-    if (element.at_key("curves").get(version) == simdjson::SUCCESS) fields::fail_both_kinds();
+    const auto checked = object_reader_.raw_checker().check_text(line.text);
+    if (checked.element.at_key("curves").error() == simdjson::SUCCESS) fields::fail_both_kinds();
     return {std::string(line.text), line.number};
   }
 

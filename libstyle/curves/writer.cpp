@@ -152,6 +152,7 @@ void append_value(AlongForm, std::string& text, const AlongValues& along) {
   text += '{';
   Commas commas(text);
   for (const Channel& channel : along.channels) {
+    if (channel.values.empty()) continue;  // of a path without vertices
     append_key(text, commas, channel.name);
     append_numbers(text, channel.values);
   }

@@ -123,6 +123,8 @@ TEST(CurvesErrors, NameAKeyThatIsMissingOrTwiceThere) {
               HasSubstr("\"type\" is there twice"));
   EXPECT_THAT(failure_of_key("along", "{\"t\":[0,1],\"t\":[0,1]}"),
               HasSubstr("\"along\": \"t\" is there twice"));
+  EXPECT_THAT(failure_of_key("along", "{\"color\":[\"#000000\",\"#000000\"],\"color\":[]}"),
+              HasSubstr("\"along\": \"color\" is there twice"));
 }
 
 TEST(CurvesErrors, SayWhatAValueMustBeAndWhatItIs) {
@@ -191,7 +193,13 @@ TEST(CurvesErrors, CompareTheValuesAlongACurveWithItsVertices) {
               HasSubstr("no error"));
   EXPECT_THAT(failure_of_key("along", "{\"width\":[1,-2]}"), HasSubstr("a value is negative"));
   EXPECT_THAT(failure_of_key("along", "{\"pressure\":[1,2]}"), HasSubstr("greater than 1"));
-  EXPECT_THAT(failure_of_key("along", "{\"width\":3}"), HasSubstr("must be an array of numbers"));
+  EXPECT_THAT(failure_of_key("along", "{\"width\":3}"),
+              HasSubstr("\"along\": \"width\": must be an array with one value for each vertex"));
+  EXPECT_THAT(failure_of_key("along", "{\"t\":[]}"), HasSubstr("must be an array with one value"));
+  EXPECT_THAT(failure_of_key("along", "{\"color\":[]}"),
+              HasSubstr("must be an array with one value"));
+  EXPECT_THAT(failure_of_key("along", "{\"t\":[0,\"x\"]}"),
+              HasSubstr("must be an array with one value"));
   EXPECT_THAT(failure_of_key("along", "{\"color\":[\"red\",\"blue\"]}"),
               HasSubstr("must be a color"));
   EXPECT_THAT(failure_of_key("along", "[1,2]"), HasSubstr("\"along\": must be an object"));

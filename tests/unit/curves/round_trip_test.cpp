@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "libstyle/base/error.h"
 #include "libstyle/curves/reader.h"
 #include "libstyle/curves/writer.h"
 #include "tests/unit/curves/any_document.h"
@@ -83,12 +84,12 @@ TEST(CurvesRoundTrip, LeavesAnUnknownRecordAsItStands) {
 
 TEST(CurvesRoundTrip, KeepsUnknownKeysWhereverTheyStand) {
   EXPECT_EQ(passed_through(R"({"new":1.50,"curves":1}
-{"data-x":"a b","type":"path","d":"M0 0","stroke-effect":{"kind":["wavy"]},"along":{"by":"hand"}}
+{"data-x":"a b","type":"path","d":"M0 0","stroke-effect":{"kind":["wavy"]},"along":{"by":"hand","tags":[],"ends":["a","b"]}}
 {"type":"clip","parts":[{"d":"","feather":2}]}
 {"type":"gradient","linear":{"x1":0,"y1":0,"x2":1,"y2":0,"z":0},"stops":[{"offset":0,"stop-color":"#000000","hint":0.5}]}
 )"),
             R"({"curves":1,"new":1.50}
-{"type":"path","d":"M0 0","along":{"by":"hand"},"data-x":"a b","stroke-effect":{"kind":["wavy"]}}
+{"type":"path","d":"M0 0","along":{"by":"hand","tags":[],"ends":["a","b"]},"data-x":"a b","stroke-effect":{"kind":["wavy"]}}
 {"type":"clip","parts":[{"d":"","feather":2}]}
 {"type":"gradient","linear":{"x1":0,"y1":0,"x2":1,"y2":0,"z":0},"stops":[{"offset":0,"stop-color":"#000000","hint":0.5}]}
 )");
@@ -140,6 +141,21 @@ TEST(CurvesReader, KnowsTheLineOfEveryRecord) {
   EXPECT_EQ(std::get<GroupRecord>(read[0].records[0]).line, 4u);
   EXPECT_EQ(std::get<UnknownRecord>(read[0].records[1]).line, 5u);
   EXPECT_EQ(read[1].header.line, 6u);
+}
+
+TEST(CurvesWriter, LeavesOutValuesAlongAPathWithoutVertices) {
+  PathRecord record;
+  record.along.channels.push_back({"width", {}});
+  std::string text;
+  append_record(text, record);
+  EXPECT_EQ(text, "{\"type\":\"path\",\"d\":\"\",\"along\":{}}\n");
+}
+
+TEST(CurvesWriter, RefusesTextThatIsNotUtf8) {
+  PathRecord record;
+  record.label = "caf\xe9";
+  std::string text;
+  EXPECT_THROW(append_record(text, record), Error);
 }
 
 TEST(CurvesWriter, WritesInPiecesAndAllOfIt) {
