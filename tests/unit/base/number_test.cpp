@@ -43,6 +43,9 @@ TEST(Number, IsWrittenAsTheShortestTextThatReadsBack) {
   EXPECT_EQ(written(1.0 / 3), "0.3333333333333333");
   EXPECT_EQ(written(123456.789), "123456.789");
   EXPECT_EQ(written(5e-324), "5e-324");
+  EXPECT_EQ(written(0.0001), "0.0001");
+  EXPECT_EQ(written(0.00005), "5e-05");
+  EXPECT_EQ(written(999999999.5), "999999999.5");
   EXPECT_EQ(written(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
 }
 
@@ -72,6 +75,12 @@ TEST(Number, ShortDecimalsAgreeWithTheStandardLibrary) {
         std::to_chars(shortest, shortest + sizeof shortest, value, std::chars_format::fixed).ptr;
     ASSERT_EQ(written(value), std::string(shortest, end)) << text;
   }
+}
+
+TEST(Number, MayHaveMoreDigitsThanAWordHolds) {
+  EXPECT_EQ(read_whole("18446744073709551616"), 18446744073709551616.0);  // 2^64
+  EXPECT_EQ(read_whole("0.18446744073709551617"), 0.18446744073709551617);
+  EXPECT_EQ(read_whole("9007199254740993"), 9007199254740992.0);  // 2^53 + 1, to even
 }
 
 TEST(Number, IsReadAsFarAsItGoes) {
