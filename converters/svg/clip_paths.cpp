@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/clip_paths.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "converters/svg/cascade.h"
+#include "libstyle/geometry/path_segments.h"
+
+namespace libstyle::svg {
+namespace {
+
+constexpr std::size_t kNestingLimit = 32;  // clips that are clipped themselves
+
+// Gathers what a clipPath lets through.
+class ClipCanvas final : public Canvas {
+ public:
+  ClipCanvas(ClipPaths& clips, Reporter& reporter) : clips_(clips), reporter_(reporter) {}
+
+  bool open_group(pugi::xml_node element, Scope& scope,
+                  const std::optional<Rectangle>& /*viewport*/) override {
+    if (!scope.style.clip_path.empty()) {
+      reporter_.warn(element, "clip-path of a group within a clipPath is not carried");
+    }
+    return scope.style.display != Display::kNone;
+  }
+
+  void draw_path(pugi::xml_node element, ElementKind /*kind*/, Path path,
+                 const Scope& scope) override {
+    const ComputedStyle& style = scope.style;
+    if (style.display == Display::kNone || style.visibility == Visibility::kHidden) return;
+    ClipPart part;
+    part.clip = clips_.find_or_add(element, scope, [&] { return bounding_box(path); });
+    part.path = std::move(path);
+    part.path.transform(scope.page_from_user);
+    part.rule = style.clip_rule;
+    parts_.push_back(std::move(part));
+  }
+
+  std::vector<ClipPart> take_parts() { return std::move(parts_); }
+
+ private:
+  ClipPaths& clips_;
+  Reporter& reporter_;
+  std::vector<ClipPart> parts_;
+};
+
+bool is_in_bounds_units(pugi::xml_node clip) {
+  return std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox";
+}
+
+Transform user_from_bounds(const Box& bounds) {
+  return {bounds.width(), 0, 0, bounds.height(), bounds.low.x, bounds.low.y};
+}
+
+}  // namespace
+
+std::string ClipPaths::find_or_add(pugi::xml_node element, const Scope& scope,
+                                   const std::function<Box()>& bounds) {
+  const pugi::xml_node clip = find_clip(element, scope.style.clip_path);
+  if (!clip) return "";
+  const auto last = last_uses_.find(clip.internal_object());
+  if (last != last_uses_.end() && last->second.page_from_user == scope.page_from_user &&
+      last->second.viewport == scope.viewport) {
+    return last->second.id;
+  }
+  std::string id = add(clip, scope, bounds);
+  if (!is_in_bounds_units(clip)) {
+    last_uses_[clip.internal_object()] = {scope.page_from_user, scope.viewport, id};
+  }
+  return id;
+}
+
+// The clipPath that an element names, if it can be used.
+pugi::xml_node ClipPaths::find_clip(pugi::xml_node element, std::string_view value) {
+  if (value.empty()) return {};
+  std::string_view rest;
+  const std::string_view reference = take_url(value, rest);
+  const pugi::xml_node clip = drawing_.index.find_reference(reference);
+  if (std::string_view(clip.name()) != "clipPath") {
+    drawing_.reporter.warn(
+        element, "clip-path is \"" + std::string(value) + "\", which is no clipPath in the file");
+    return {};
+  }
+  if (std::ranges::find(open_, clip) != open_.end()) {
+    drawing_.reporter.warn(element, "clip-path refers to itself; it is left out");
+    return {};
+  }
+  if (open_.size() == kNestingLimit) {
+    drawing_.reporter.warn(element, "clip-paths nest too deep; this one is left out");
+    return {};
+  }
+  return clip;
+}
+
+std::string ClipPaths::add(pugi::xml_node clip, const Scope& scope,
+                           const std::function<Box()>& bounds) {
+  Scope inside;
+  inside.style = style_in_place(clip, drawing_.index.sheets());
+  inside.viewport = scope.viewport;
+  inside.page_from_user = scope.page_from_user;
+  if (inside.style.transform) {
+    inside.page_from_user = inside.page_from_user * *inside.style.transform;
+  }
+  open_.push_back(clip);
+  const std::string outer_clip = find_or_add(clip, inside, bounds);
+  if (is_in_bounds_units(clip)) {
+    inside.page_from_user = inside.page_from_user * user_from_bounds(bounds());
+    inside.viewport = {1, 1};
+  }
+  ClipCanvas canvas(*this, drawing_.reporter);
+  Walker(drawing_, canvas, WalkKind::kRepeated).draw_children(clip, inside);
+  open_.pop_back();
+  return builder_.add_clip(clip, canvas.take_parts(), outer_clip);
+}
+
+}  // namespace libstyle::svg

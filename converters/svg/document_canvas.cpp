@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "converters/svg/document_canvas.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "converters/svg/bounds_canvas.h"
+#include "converters/svg/element_path.h"
+#include "converters/svg/shape_element.h"
+#include "converters/svg/shapes.h"
+#include "libstyle/geometry/path_segments.h"
+
+namespace libstyle::svg {
+namespace {
+
+std::string_view shape_name(ElementKind kind, pugi::xml_node element) {
+  return kind == ElementKind::kPath ? std::string_view() : element.name();
+}
+
+bool is_outermost(pugi::xml_node element) { return element.parent().type() == pugi::node_document; }
+
+}  // namespace
+
+// The outermost element is the document itself; it is a group only where it is drawn as one.
+bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
+                                const std::optional<Rectangle>& viewport) {
+  warn_not_carried(element, scope.style);
+  GroupLook look;
+  look.opacity = scope.style.opacity;
+  look.hidden = scope.style.display == Display::kNone;
+  look.clip =
+      clips_.find_or_add(element, scope, [&] { return measure_members(drawing_, element, scope); });
+  if (viewport) look.clip = add_viewport_clip(*viewport, look.clip, scope);
+  const bool plain = look.opacity == 1 && !look.hidden && look.clip.empty();
+  if (!plain || !is_outermost(element)) {
+    scope.group = builder_.add_group(element, look, scope.group);
+  }
+  return true;
+}
+
+std::string DocumentCanvas::add_viewport_clip(const Rectangle& viewport,
+                                              const std::string& outer_clip, const Scope& scope) {
+  ClipPart part;
+  part.path = rectangle_path(viewport, std::nullopt, std::nullopt);
+  part.path.transform(scope.page_from_user);
+  const bool finite = std::ranges::all_of(part.path.points(), [](Point p) { return is_finite(p); });
+  return finite ? builder_.add_clip({}, {std::move(part)}, outer_clip) : outer_clip;
+}
+
+void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path path,
+                               const Scope& scope) {
+  warn_not_carried(element, scope.style);
+  warn_markers(element, kind, scope.style);
+  PathRecord record;
+  record.clip = clips_.find_or_add(element, scope, [&] { return bounding_box(path); });
+  const LengthContext context = length_context(scope.style, scope.viewport);
+  record.style =
+      painter_.painted_style(element, scope.style, {path, scope.page_from_user, context});
+  record.path = std::move(path);
+  record.path.transform(scope.page_from_user);
+  record.shape = shape_name(kind, element);
+  settle_shape(record.shape, record.path);
+  builder_.add_path(element, std::move(record), scope.group);
+}
+
+void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyle& style) {
+  const auto warn = [&](std::string_view value, const std::string& what) {
+    if (!value.empty()) drawing_.reporter.warn(element, what + " is not carried");
+  };
+  warn(style.mask, "mask");
+  warn(style.filter, "filter");
+  warn(style.blend_mode, "mix-blend-mode");
+}
+
+void DocumentCanvas::warn_markers(pugi::xml_node element, ElementKind kind,
+                                  const ComputedStyle& style) {
+  const bool takes_markers = kind == ElementKind::kPath || kind == ElementKind::kLine ||
+                             kind == ElementKind::kPolyline || kind == ElementKind::kPolygon;
+  if (!takes_markers) return;
+  for (const std::string_view marker : {style.marker_start, style.marker_mid, style.marker_end}) {
+    if (drawing_.index.find_reference(marker)) {
+      drawing_.reporter.warn(element, "markers are not carried");
+    }
+  }
+}
+
+}  // namespace libstyle::svg

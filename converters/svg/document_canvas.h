@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes records of what is drawn, and brings it to the page.
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+
+#include "converters/svg/canvas.h"
+#include "converters/svg/clip_paths.h"
+#include "converters/svg/document_builder.h"
+#include "converters/svg/painter.h"
+#include "converters/svg/walker.h"
+
+namespace libstyle::svg {
+
+class DocumentCanvas final : public Canvas {
+ public:
+  DocumentCanvas(Drawing& drawing, DocumentBuilder& builder)
+      : drawing_(drawing),
+        builder_(builder),
+        painter_(drawing.index, drawing.reporter, builder),
+        clips_(drawing, builder) {}
+
+  bool open_group(pugi::xml_node element, Scope& scope,
+                  const std::optional<Rectangle>& viewport) override;
+  void draw_path(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope) override;
+
+ private:
+  std::string add_viewport_clip(const Rectangle& viewport, const std::string& outer_clip,
+                                const Scope& scope);
+  void warn_not_carried(pugi::xml_node element, const ComputedStyle& style);
+  void warn_markers(pugi::xml_node element, ElementKind kind, const ComputedStyle& style);
+
+  Drawing& drawing_;
+  DocumentBuilder& builder_;
+  Painter painter_;
+  ClipPaths clips_;
+};
+
+}  // namespace libstyle::svg
