@@ -15,27 +15,29 @@ static_assert(LineReader::kPadding >= simdjson::SIMDJSON_PADDING);
 using Object = json::ondemand::object;
 using fields::ObjectReader;
 
-// A type of record by its name, and how it is read.
+// A type of record by its name, and how one is read onto the end of a document.
 struct KnownType {
   std::string_view name;
-  void (*read)(ObjectReader& reader, Object& object, Record& record, std::size_t line);
+  void (*read)(ObjectReader& reader, Object& object, std::size_t line,
+               std::vector<Record>& records);
 };
 
 constexpr std::size_t kKnownTypeCount = std::variant_size_v<Record> - 1;
 static_assert(std::is_same_v<std::variant_alternative_t<kKnownTypeCount, Record>, UnknownRecord>);
 
 constexpr auto kKnownTypes = []<std::size_t... I>(std::index_sequence<I...>) {
-  return std::array<KnownType, sizeof...(I)>{
-      KnownType{std::variant_alternative_t<I, Record>::kType,
-                [](ObjectReader& reader, Object& object, Record& record, std::size_t line) {
-                  auto& known = record.emplace<I>();
-                  known.line = line;
-                  reader.read_object(object, known);
-                }}...};
+  return std::array<KnownType, sizeof...(I)>{KnownType{
+      std::variant_alternative_t<I, Record>::kType,
+      [](ObjectReader& reader, Object& object, std::size_t line, std::vector<Record>& records) {
+        auto& record = std::get<I>(records.emplace_back(std::in_place_index<I>));
+        record.line = line;
+        reader.read_object(object, record);
+      }}...};
 }
 (std::make_index_sequence<kKnownTypeCount>());
 
-// Throws at the first id that an earlier record has already.
+// Throws at the first id that an earlier record has already. At the end of a document rather than
+// record by record: the records do not move any more, so the ids need no copies.
 void check_unique_ids(const Document& document, const std::string& name) {
   std::unordered_map<std::string_view, std::size_t> line_of_id;
   line_of_id.reserve(document.records.size());
@@ -112,8 +114,10 @@ class Reader::Implementation {
       } while (is_blank(line.text));
       parse_line(line, records);
     } catch (const Error& error) {
-      const char* const cut = line.ended ? "" : "; the stream ends in the middle of this line";
-      throw Error({name_, lines_.line_number()}, error.what() + std::string(cut));
+      const bool cut = !line.ended && !line.text.ends_with('}');
+      throw Error(
+          {name_, lines_.line_number()},
+          error.what() + std::string(cut ? "; the stream ends in the middle of this line" : ""));
     }
     return true;
   }
@@ -138,7 +142,7 @@ class Reader::Implementation {
         return;
       }
       rewind(object);
-      known->read(object_reader_, object, records.emplace_back(), line.number);
+      known->read(object_reader_, object, line.number, records);
     }
     require_end(document);
   }

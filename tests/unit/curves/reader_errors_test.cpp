@@ -89,6 +89,8 @@ TEST(CurvesErrors, SayWhenTheStreamEndsInTheMiddleOfALine) {
         << size;
   }
   EXPECT_EQ(failure_of_stream(whole), "no error");
+  EXPECT_THAT(failure_of_stream("{\"curves\":1}\n{\"type\":\"path\"}"),
+              Not(HasSubstr("the stream ends")));
 }
 
 TEST(CurvesErrors, SayWhenAHeaderIsMissingOrUnknown) {
