@@ -20,9 +20,11 @@ double landing_share(const ChainModel& model) {
   return 1.0 / landings;
 }
 
+// The costs of a step; empty where there are none.
 std::vector<double> step_costs(const ChainModel& model, const ChainTask& task, std::size_t step) {
+  if (!task.costs) return {};
   std::vector<double> costs(model.state_count(), 0.0);
-  if (task.costs) task.costs(step, costs);
+  if (!task.costs(step, costs)) return {};
   return costs;
 }
 
@@ -39,14 +41,14 @@ class SumMessages {
       : model_(model), task_(task), landing_share_(landing_share(model)) {}
 
   void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
-    const std::vector<double> costs = step_costs(model_, task_, step);
-    const double least_cost = *std::ranges::min_element(costs);
     const double mean = next.empty() ? 0 : landing_mean(next);
-    double largest = 0;
-    for (ChainState j = 0; j < message.size(); ++j) {
-      message[j] = std::exp(least_cost - costs[j]) * follow(j, next, mean);
-      largest = std::max(largest, message[j]);
+    for (ChainState j = 0; j < message.size(); ++j) message[j] = follow(j, next, mean);
+    const std::vector<double> costs = step_costs(model_, task_, step);
+    if (!costs.empty()) {
+      const double least = *std::ranges::min_element(costs);
+      for (std::size_t j = 0; j < message.size(); ++j) message[j] *= std::exp(least - costs[j]);
     }
+    const double largest = *std::ranges::max_element(message);
     for (double& value : message) value /= largest;
   }
 
@@ -103,12 +105,13 @@ class LeastMessages {
   }
 
   void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
-    const std::vector<double> costs = step_costs(model_, task_, step);
     const Choice landing = next.empty() ? Choice{} : best_landing(next);
     for (ChainState j = 0; j < message.size(); ++j) {
-      message[j] = costs[j] + (next.empty() ? -std::log(ending_probability(model_, task_, j))
-                                            : best_successor(j, next, landing).cost);
+      message[j] = next.empty() ? -std::log(ending_probability(model_, task_, j))
+                                : best_successor(j, next, landing).cost;
     }
+    const std::vector<double> costs = step_costs(model_, task_, step);
+    for (std::size_t j = 0; j < costs.size(); ++j) message[j] += costs[j];
   }
 
   ChainState best_successor(ChainState from, std::span<const double> message) const {

@@ -48,7 +48,8 @@ struct ChainModel {
 };
 
 // Adds to costs[j] what it costs (-log of a likelihood, finite) that `step` is drawn from state j.
-using StepCosts = std::function<void(std::size_t step, std::span<double> costs)>;
+// Returns false where that is nothing.
+using StepCosts = std::function<bool(std::size_t step, std::span<double> costs)>;
 
 // What a walk has to do.
 struct ChainTask {

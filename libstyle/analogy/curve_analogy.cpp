@@ -27,7 +27,7 @@ constexpr double kCornerReach = 0.5;
 // Lets open lines begin and end where the example crosses its unfiltered curve.
 class EndCosts {
  public:
-  EndCosts(const Example& example, std::size_t steps) : last_step_(steps - 1) {
+  explicit EndCosts(const Example& example) {
     const double spread = kEndSpread * example.reach();
     for (std::size_t j = 0; j < example.state_count(); ++j) {
       const double start = example.length_of(j);
@@ -36,11 +36,13 @@ class EndCosts {
     }
   }
 
-  void add(std::size_t step, std::span<double> costs) const {
-    for (std::size_t j = 0; j < costs.size(); ++j) {
-      if (step == 0) costs[j] += starts_[j];
-      if (step == last_step_) costs[j] += ends_[j];
+  // For a line of so many steps; see StepCosts.
+  bool add(std::size_t step, std::size_t steps, std::span<double> costs) const {
+    const bool first = step == 0, last = step + 1 == steps;
+    for (std::size_t j = 0; (first || last) && j < costs.size(); ++j) {
+      costs[j] += (first ? starts_[j] : 0.0) + (last ? ends_[j] : 0.0);
     }
+    return first || last;
   }
 
  private:
@@ -48,7 +50,6 @@ class EndCosts {
     return spread > 0 ? squared_norm(offset) / (2 * spread * spread) : 0;
   }
 
-  std::size_t last_step_;
   std::vector<double> starts_, ends_;
 };
 
@@ -67,7 +68,8 @@ class CurveAnalogy::Implementation {
   Implementation(std::span<const ExamplePair> pairs, const CurveAnalogyParameters& parameters)
       : parameters_((validate(parameters), parameters)),
         example_(pairs, parameters),
-        jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)) {}
+        jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)),
+        end_costs_(example_) {}
 
   StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
 
@@ -89,6 +91,7 @@ class CurveAnalogy::Implementation {
   CurveAnalogyParameters parameters_;
   Example example_;
   JumpModel jumps_;
+  EndCosts end_costs_;
 };
 
 StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place) const {
@@ -169,9 +172,9 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const StyleG
     return sample_chain(jumps_.chain, task, random, first);
   }
   if (parameters_.keep_ends) {
-    const EndCosts ends(example_, task.steps);
-    task.costs = [&ends](std::size_t step, std::span<double> costs) { ends.add(step, costs); };
-    return sample_chain(jumps_.chain, task, random, first);
+    task.costs = [&](std::size_t step, std::span<double> costs) {
+      return end_costs_.add(step, task.steps, costs);
+    };
   }
   return sample_chain(jumps_.chain, task, random, first);
 }
@@ -185,6 +188,7 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_by_shape(const Sweep&
   task.steps = grid.steps();
   task.costs = [&](std::size_t step, std::span<double> costs) {
     shape.add(step % grid.steps(), costs);
+    return true;
   };
   if (!line.closed()) return best_chain(jumps_.chain, task);
   task.steps = 2 * grid.steps();

@@ -48,8 +48,9 @@ struct CurveAnalogyParameters {
   double smoothing = 0;
 
   // Lines too short or too tight for the style at its size get the style smaller, down to this
-  // factor; 0 < smallest_scale <= 1. 1 draws it at the same size everywhere.
-  double smallest_scale = 0.05;
+  // factor, and lines that would need less stay as they are; 0 < smallest_scale <= 1. 1 draws it at
+  // the same size everywhere.
+  double smallest_scale = 0.1;
 
   // How sharply an open line, or a side of an outline, must turn to have a corner there, in
   // degrees; 0 < corner_angle <= 180. Corners stay in their places, and the style begins anew at

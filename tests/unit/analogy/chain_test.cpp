@@ -38,6 +38,7 @@ StepCosts random_costs(RandomValues& random, std::size_t steps) {
   for (double& cost : table) cost = random.uniform(0, 3);
   return [table](std::size_t step, std::span<double> costs) {
     for (std::size_t j = 0; j < kStates; ++j) costs[j] += table[step * kStates + j];
+    return true;
   };
 }
 
@@ -131,6 +132,7 @@ TEST(Chain, LongWalksDoNotUnderflow) {
   task.steps = 20000;
   task.costs = [](std::size_t, std::span<double> costs) {
     for (std::size_t j = 0; j < costs.size(); ++j) costs[j] += 1000 + static_cast<double>(j);
+    return true;
   };
   EXPECT_EQ(sample_chain(model, task, RandomStream(1, 1)).size(), task.steps);
   EXPECT_EQ(best_chain(model, task).size(), task.steps);
