@@ -20,8 +20,8 @@ void validate(const Polyline& polyline, const CornerParams& params) {
   if (!(params.reach > 0) || !std::isfinite(params.reach)) {
     throw Error("corners: reach must be a positive number");
   }
-  if (!std::ranges::all_of(polyline.points, is_finite)) {
-    throw Error("corners: a point is not finite");
+  if (!std::isfinite(arc_length(polyline))) {
+    throw Error("corners: a point is not finite or too far away to measure");
   }
 }
 
@@ -100,11 +100,13 @@ class CornerFinder {
     Eigen::Matrix<double, kRows, 3> pieces, parabola;
     Eigen::Matrix<double, kRows, 2> points;
     const double length = length_at(i);
-    const double before = reach_before(length), after = reach_after(length);
+    // Lengths in units of the longer side: equations of like size whatever the curve's unit.
+    const double unit = std::max(reach_before(length), reach_after(length));
+    const double before = reach_before(length) / unit, after = reach_after(length) / unit;
     for (int row = 0; row < kRows; ++row) {
       const double share = static_cast<double>(row - kSamples) / kSamples;
       const double u = share * (share < 0 ? before : after);
-      const Point p = along_.point_at(length + u) - along_.polyline().points[i];
+      const Point p = along_.point_at(length + u * unit) - along_.polyline().points[i];
       pieces.row(row) << 1, std::min(u, 0.0), std::max(u, 0.0);
       parabola.row(row) << 1, u, u * u;
       points.row(row) << p.x, p.y;
@@ -117,7 +119,7 @@ class CornerFinder {
     const double parabola_error = (parabola * bend - points).squaredNorm();
     // The standard error of the angle between two fitted lines of kSamples points each, for what
     // noise the misfit shows.
-    const double noise = std::sqrt(pieces_error / (2 * kRows - 6));
+    const double noise = std::sqrt(pieces_error / (2 * kRows - 6)) / unit;
     const double uncertainty = noise * std::sqrt(6.0 / kSamples) / std::min(before, after);
     return turn > params_.angle + kCertainty * uncertainty && pieces_error <= parabola_error;
   }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "libstyle/base/error.h"
+#include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/corners.h"
 #include "libstyle/geometry/cubic_segment_fit.h"
 #include "libstyle/geometry/polygon.h"
@@ -214,8 +215,8 @@ void validate(const Polyline& polyline, const CubicFitParams& params) {
   if (!(params.corner_reach >= 0) || !std::isfinite(params.corner_reach)) {
     throw Error("fit: corner_reach must not be negative");
   }
-  if (!std::ranges::all_of(polyline.points, is_finite)) {
-    throw Error("fit: a point is not finite");
+  if (!std::isfinite(arc_length(polyline))) {
+    throw Error("fit: a point is not finite or too far away to measure");
   }
 }
 
@@ -240,7 +241,10 @@ class PathFitter {
   }
 
  private:
-  LocalFitParams local_params() const { return {reach_, tolerance_}; }
+  // For a span of some length: a dot smaller than the tolerance is still to look like itself.
+  LocalFitParams local_params(double length) const {
+    return {std::min(reach_, length / 8), std::min(tolerance_, length / 16)};
+  }
 
   void begin_at(std::size_t vertex, bool corner) {
     result_.path.move_to(polyline_.points[vertex]);
@@ -291,7 +295,8 @@ class PathFitter {
       if (vertices == 2 * edges) last = i;
       ++vertices;
     }
-    SpanFitter fitter(std::move(samples), first, last, local_params());
+    const LocalFitParams params = local_params(samples[last].length - samples[first].length);
+    SpanFitter fitter(std::move(samples), first, last, params);
     fitter.join_ends();
     SpanFit span = fitter.fit();
     // The loop begins where the fit does, near its first point rather than on it.
@@ -326,7 +331,8 @@ class PathFitter {
     }
     std::vector<ArcSample> samples = make_samples(chain, reach_);
     const std::size_t last = samples.size() - 1;
-    append_curves(SpanFitter(std::move(samples), 0, last, local_params()).fit(), ends_in_corner);
+    const LocalFitParams params = local_params(samples[last].length);
+    append_curves(SpanFitter(std::move(samples), 0, last, params).fit(), ends_in_corner);
   }
 
   void append_curves(const SpanFit& span, bool ends_in_corner) {

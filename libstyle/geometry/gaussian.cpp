@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 
 namespace libstyle {
@@ -288,6 +289,9 @@ Polyline gaussian_blur(const Polyline& polyline, double sigma) {
   assert(sigma >= 0);
   const std::vector<double> lengths = cumulative_lengths(polyline);
   if (sigma == 0 || lengths.empty() || lengths.back() == 0) return polyline;
+  if (!std::isfinite(lengths.back())) {
+    throw Error("blur: a point is not finite or too far away to measure");
+  }
   Polyline result = polyline;
   const double total = lengths.back();
   const std::size_t count = polyline.points.size();

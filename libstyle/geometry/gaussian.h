@@ -26,7 +26,8 @@
 namespace libstyle {
 
 // Every vertex moved to its place on the blurred curve: as many vertices, in the same order, so
-// values at vertices stay valid. sigma >= 0, in the curve's own units. The points are finite.
+// values at vertices stay valid. sigma >= 0, in the curve's own units. Throws Error
+// when the length is not finite.
 Polyline gaussian_blur(const Polyline& polyline, double sigma);
 
 }  // namespace libstyle

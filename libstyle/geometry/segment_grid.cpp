@@ -257,35 +257,48 @@ std::optional<NearestPlace> SegmentGrid::nearest(Point point, double limit) cons
       }
     }
   };
-  // Square rings of cells round the point's own, until what lies outside is farther.
   const std::size_t column = column_of(point.x), row = row_of(point.y);
   for (std::size_t ring = 0;; ++ring) {
-    const bool left = column >= ring, right = column + ring < columns_;
-    const bool above = row >= ring, below = row + ring < rows_;
-    const std::size_t first = left ? column - ring : 0;
-    const std::size_t last = right ? column + ring : columns_ - 1;
-    for (std::size_t c = first; c <= last; ++c) {
-      if (above) look_into(c, row - ring);
-      if (below && ring > 0) look_into(c, row + ring);
-    }
-    const std::size_t top = above ? row - ring + 1 : 0;
-    const std::size_t bottom = below ? row + ring : rows_;
-    for (std::size_t r = top; ring > 0 && r < bottom; ++r) {
-      if (left) look_into(column - ring, r);
-      if (right) look_into(column + ring, r);
-    }
-    if (!left && !right && !above && !below) return best;
-    const auto border = [&](std::size_t index, double origin) {
-      return origin + static_cast<double>(index) * cell_size_;
-    };
-    double outside = std::numeric_limits<double>::infinity();
-    if (column > ring) outside = std::min(outside, point.x - border(column - ring, origin_.x));
-    if (row > ring) outside = std::min(outside, point.y - border(row - ring, origin_.y));
-    if (right) outside = std::min(outside, border(column + ring + 1, origin_.x) - point.x);
-    if (below) outside = std::min(outside, border(row + ring + 1, origin_.y) - point.y);
-    const double enough = best ? best->distance : limit;
-    if (outside - margin_ > enough) return best;
+    for_each_cell_of_ring(column, row, ring, look_into);
+    const double outside = distance_beyond_ring(point, column, row, ring);
+    if (std::isinf(outside) || outside - margin_ > (best ? best->distance : limit)) return best;
   }
+}
+
+// The square of cells that are `ring` steps from one, as far as there are cells.
+template <typename Visit>
+void SegmentGrid::for_each_cell_of_ring(std::size_t column, std::size_t row, std::size_t ring,
+                                        const Visit& visit) const {
+  const std::size_t first = column >= ring ? column - ring : 0;
+  const std::size_t last = std::min(column + ring, columns_ - 1);
+  const std::size_t top = row >= ring ? row - ring : 0;
+  const std::size_t bottom = std::min(row + ring, rows_ - 1);
+  for (std::size_t r = top; r <= bottom; ++r) {
+    if (r + ring == row || r == row + ring) {
+      for (std::size_t c = first; c <= last; ++c) visit(c, r);
+      continue;
+    }
+    if (column >= ring) visit(column - ring, r);
+    if (column + ring < columns_) visit(column + ring, r);
+  }
+}
+
+// How far a point is at least from all cells more than `ring` steps away; infinite without any.
+double SegmentGrid::distance_beyond_ring(Point point, std::size_t column, std::size_t row,
+                                         std::size_t ring) const {
+  const auto border = [&](double origin, std::size_t index) {
+    return origin + static_cast<double>(index) * cell_size_;
+  };
+  double result = std::numeric_limits<double>::infinity();
+  if (column > ring) result = std::min(result, point.x - border(origin_.x, column - ring));
+  if (row > ring) result = std::min(result, point.y - border(origin_.y, row - ring));
+  if (column + ring + 1 < columns_) {
+    result = std::min(result, border(origin_.x, column + ring + 1) - point.x);
+  }
+  if (row + ring + 1 < rows_) {
+    result = std::min(result, border(origin_.y, row + ring + 1) - point.y);
+  }
+  return result;
 }
 
 std::vector<NearestPlace> SegmentGrid::within(Point point, double radius) const {

@@ -96,6 +96,11 @@ class SegmentGrid {
   std::size_t row_of(double y) const;
   template <typename Visit>
   void for_each_cell(const Segment& segment, const Visit& visit) const;
+  template <typename Visit>
+  void for_each_cell_of_ring(std::size_t column, std::size_t row, std::size_t ring,
+                             const Visit& visit) const;
+  double distance_beyond_ring(Point point, std::size_t column, std::size_t row,
+                              std::size_t ring) const;
   std::span<const std::uint32_t> members_of(std::size_t column, std::size_t row) const;
 
   bool are_neighbours(const Segment& a, const Segment& b) const;

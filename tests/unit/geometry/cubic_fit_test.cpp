@@ -192,6 +192,25 @@ TEST(FitCubics, TakesWhateverIsThere) {
   EXPECT_LT(largest_distance(loop, fit_cubics(loop).path), 0.5);
 }
 
+TEST(FitCubics, KeepsTheShapeOfWhatIsSmallerThanTheTolerance) {
+  const Polyline dot = circle({5, 5}, 0.1, 30);
+  const CubicFit fit = fit_cubics(dot, {.tolerance = 2});
+  EXPECT_LE(fit.path.vertex_count(), 6u);
+  EXPECT_LT(fit.error, 0.05);
+}
+
+TEST(FitCubics, DoesNotDependOnTheUnit) {
+  for_each_seed(20, [](std::uint64_t seed) {
+    Polyline curve = random_drawing(seed);
+    const std::size_t expected = fit_cubics(curve, {.tolerance = 0.5}).points.size();
+    for (const double scale : {0x1p-60, 0x1p60}) {
+      Polyline scaled = curve;
+      for (Point& p : scaled.points) p *= scale;
+      ASSERT_EQ(fit_cubics(scaled, {.tolerance = 0.5 * scale}).points.size(), expected);
+    }
+  });
+}
+
 TEST(FitCubics, ChecksItsParametersAndPoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(fit_cubics(polyline("0 0, 1 1"), {.tolerance = 0}), Error);
@@ -199,6 +218,7 @@ TEST(FitCubics, ChecksItsParametersAndPoints) {
   EXPECT_THROW(fit_cubics(polyline("0 0, 1 1"), {.corner_angle = -1}), Error);
   EXPECT_THROW(fit_cubics(polyline("0 0, 1 1"), {.corner_reach = -1}), Error);
   EXPECT_THROW(fit_cubics({{{0, 0}, {nan, 1}}, false}), Error);
+  EXPECT_THROW(fit_cubics(polyline("0 0, 1e300 0, 0 1e300 z")), Error);
 }
 
 }  // namespace

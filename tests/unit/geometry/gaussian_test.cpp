@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/gaussian_pyramid.h"
 #include "libstyle/geometry/rigid_alignment.h"
@@ -139,6 +141,12 @@ TEST(GaussianBlur, TakesRepeatedPointsAndSinglePoints) {
   const Polyline once = gaussian_blur(polyline("0 0, 4 0, 4 4"), 1);
   EXPECT_THAT(blurred.points[2], PointNear(once.points[1], 1e-12));
   EXPECT_EQ(blurred.points[2], blurred.points[3]);
+}
+
+TEST(GaussianBlur, RefusesWhatCannotBeMeasured) {
+  EXPECT_THROW(gaussian_blur(polyline("-1e300 0, 1e300 0"), 1), Error);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(gaussian_blur({{{0, 0}, {nan, 0}}, false}, 1), Error);
 }
 
 TEST(GaussianPyramid, GetsCoarserLevelByLevel) {
