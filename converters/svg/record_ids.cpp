@@ -36,6 +36,13 @@ bool is_referred_to_by_url(const Record& record) {
          std::holds_alternative<ClipRecord>(record);
 }
 
+// A container is kept apart by its id, which may be all that it says. One that nobody named says
+// something else.
+bool is_container(const Record& record) {
+  return std::holds_alternative<GroupRecord>(record) ||
+         std::holds_alternative<ElementRecord>(record);
+}
+
 // An id must not hold what XML cannot, nor, for url(#id), what would end the reference.
 std::string wanted_id(const Record& record, const RecordBase& base) {
   std::string id(given_id(base.id));
@@ -104,7 +111,8 @@ void RecordIds::assign_made(const Document& document) {
     const std::string wanted = wanted_id(record, *base);
     if (!wanted.empty() && taken_.insert(wanted).second) {
       ids_[i] = wanted;
-    } else if (is_referred_to_by_url(record) || in_metadata.contains(base->id)) {
+    } else if (is_referred_to_by_url(record) || in_metadata.contains(base->id) ||
+               (is_container(record) && !wanted.empty())) {
       ids_[i] = make_unique(wanted.empty() ? std::string(type_of(record)) : wanted);
     }
   }

@@ -2,9 +2,9 @@
 // The ids that the records of a document have as XML elements.
 //
 // An id that somebody gave stays. An id that a program made (document.h, given_id) loses its "~"
-// and what follows; what is left goes to the first record that asks for it, and a record that
-// nothing refers to does without otherwise. Records that are referred to always have an id, made
-// from the given part or their type: "g-2", "gradient-1".
+// and what follows; what is left goes to the first record that asks for it. Other records then do
+// without, but for those that something refers to, in the document or by being in them: these get a
+// number, "g-2", behind the given part or their type.
 #pragma once
 
 #include <cstddef>

@@ -50,6 +50,14 @@ TEST(RecordIds, MakesAnIdForWhatIsReferredTo) {
   EXPECT_EQ(ids.find("a~2"), "a-1");
 }
 
+TEST(RecordIds, KeepsNamedContainersApart) {
+  const Document document = document_of(
+      {with_id<GroupRecord>("g"), with_id<GroupRecord>("g~2"), with_id<GroupRecord>("~1")});
+  const RecordIds ids(document);
+  EXPECT_EQ(ids.at(1), "g-1");
+  EXPECT_EQ(ids.at(2), "");
+}
+
 TEST(RecordIds, ReplacesWhatWouldEndAUrl) {
   const Document document =
       document_of({with_id<GradientRecord>("a b(1)'"), with_id<ClipRecord>("a b(1)\"")});
@@ -63,9 +71,9 @@ TEST(RecordIds, GivesNoIdTwice) {
                                          with_id<GradientRecord>("a"), with_id<ClipRecord>("a~1")});
   const RecordIds ids(document);
   EXPECT_EQ(ids.at(0), "a");
-  EXPECT_EQ(ids.at(1), "");
-  EXPECT_EQ(ids.at(2), "a-1");
-  EXPECT_EQ(ids.at(3), "a-2");
+  EXPECT_EQ(ids.at(1), "a-1");
+  EXPECT_EQ(ids.at(2), "a-2");
+  EXPECT_EQ(ids.at(3), "a-3");
 }
 
 }  // namespace
