@@ -10,9 +10,8 @@
 //     fitted to what is on both sides (local_fit.h): a break does not copy the noise of its point,
 //     and both segments that meet there share its direction.
 //  3. A segment reaches as far as one cubic stays within the tolerance (cubic_segment_fit.h), found
-//     by doubling and bisection: Schneider's splitting at the worst point ("An algorithm for
-//     automatically fitting digitized curves", Graphics Gems, 1990) makes about a third more
-//     segments.
+//     by doubling and bisection, instead of splitting at the worst point (Schneider, "An algorithm
+//     for automatically fitting digitized curves", Graphics Gems, 1990), where an outlier decides.
 //  4. The least tolerance for which so many segments suffice is found by bisection, so that the
 //     segments of a span err evenly and none is a scrap.
 //
