@@ -34,8 +34,8 @@ auto order(const Crossing& crossing) {
 // A pair may meet in several cells.
 void sort_and_drop_repeats(std::vector<Crossing>& crossings) {
   std::ranges::sort(crossings, {}, order);
-  const auto repeats = std::ranges::unique(crossings, {}, order);
-  crossings.erase(repeats.begin(), repeats.end());
+  const auto same = [](const Crossing& a, const Crossing& b) { return order(a) == order(b); };
+  crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
 }
 
 }  // namespace
@@ -123,8 +123,9 @@ std::size_t SegmentGrid::row_of(double y) const {
 // Every cell the segment comes within the margin of, row by row.
 template <typename Visit>
 void SegmentGrid::for_each_cell(const Segment& segment, const Visit& visit) const {
-  const auto [low, high] = segment.start.y <= segment.end.y ? std::pair(segment.start, segment.end)
-                                                            : std::pair(segment.end, segment.start);
+  const bool downwards = segment.start.y <= segment.end.y;
+  const Point low = downwards ? segment.start : segment.end;
+  const Point high = downwards ? segment.end : segment.start;
   const std::size_t first_row = row_of(low.y - margin_), last_row = row_of(high.y + margin_);
   for (std::size_t row = first_row; row <= last_row; ++row) {
     // The x where the segment enters and leaves the row.
@@ -314,8 +315,7 @@ std::vector<NearestPlace> SegmentGrid::within(Point point, double radius) const 
     }
   }
   std::ranges::sort(members);
-  const auto repeats = std::ranges::unique(members);
-  members.erase(repeats.begin(), repeats.end());
+  members.erase(std::unique(members.begin(), members.end()), members.end());
   for (const std::uint32_t member : members) {
     const NearestPlace place = nearest_on(segments_[member], point);
     if (place.distance <= radius) result.push_back(place);
