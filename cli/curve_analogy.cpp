@@ -94,6 +94,13 @@ class StyleFitter {
   std::optional<CurveAnalogy> style_;
 };
 
+// Warnings of the library know a line; the file is known here.
+WarningHandler warnings_from(const std::string& input, Session& session) {
+  return [&session, file = display_name(input)](const Warning& warning) {
+    session.warn({{file, warning.place.line}, warning.id, warning.message});
+  };
+}
+
 void run(const Settings& settings, Session& session) {
   StyleFitter fitter(settings, session);
   OutputFile output(settings.output);
@@ -103,7 +110,7 @@ void run(const Settings& settings, Session& session) {
     Document document;
     while (input.read(document)) {
       draw_again(document, fitter.style_for(document),
-                 {settings.threads, session.progress_handler(), session.warning_handler()});
+                 {settings.threads, session.progress_handler(), warnings_from(name, session)});
       document.header.history.push_back(session.history());
       write_document(output, document);
     }

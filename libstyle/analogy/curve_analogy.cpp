@@ -21,6 +21,8 @@ namespace {
 // left over is bent onto the end points.
 constexpr double kEndSpread = 0.15;
 
+constexpr double kMostSteps = 1 << 20;
+
 // Feature sizes over which a corner is looked at.
 constexpr double kCornerReach = 0.5;
 
@@ -61,6 +63,12 @@ StyledCurve unchanged(const Polyline& curve) {
   return result;
 }
 
+StyledCurve too_long(const Polyline& curve) {
+  StyledCurve result = unchanged(curve);
+  result.too_long = true;
+  return result;
+}
+
 }  // namespace
 
 class CurveAnalogy::Implementation {
@@ -74,6 +82,7 @@ class CurveAnalogy::Implementation {
   StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
 
   const Example& example() const { return example_; }
+  double longest_curve() const { return kMostSteps * example_.step(); }
 
  private:
   struct DrawnPart {
@@ -98,6 +107,8 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
   for (const Point p : curve.points) {
     if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
   }
+  // Lengths that overflow are too long as well.
+  if (!curve.points.empty() && !(arc_length(curve) <= longest_curve())) return too_long(curve);
   std::optional<double> corner_angle;
   if (parameters_.shape_weight == 0) {
     corner_angle = parameters_.corner_angle * std::numbers::pi / 180;
@@ -208,6 +219,8 @@ CurveAnalogy& CurveAnalogy::operator=(CurveAnalogy&&) noexcept = default;
 StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place) const {
   return implementation_->draw(curve, place);
 }
+
+double CurveAnalogy::longest_curve() const { return implementation_->longest_curve(); }
 
 const Example& CurveAnalogy::example() const { return implementation_->example(); }
 

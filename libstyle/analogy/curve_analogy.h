@@ -55,6 +55,7 @@ struct StyledCurve {
   // The mean of the local scale over the length of B: 1 where the style has its own size
   // everywhere.
   double mean_scale = 1;
+  bool too_long = false;  // longer than longest_curve(): the curve is B itself
 };
 
 class CurveAnalogy {
@@ -66,9 +67,12 @@ class CurveAnalogy {
   CurveAnalogy& operator=(CurveAnalogy&&) noexcept;
 
   // Draws one curve. `place` tells the curves of a drawing apart: equal curves with equal places
-  // come out alike. Curves without length, or too small for the style at its smallest, come back as
-  // they are. Safe to call from several threads.
+  // come out alike. Curves without length, too small for the style at its smallest, or longer than
+  // longest_curve() come back as they are. Safe to call from several threads.
   StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
+
+  // A million steps of the example: more would take hours, and hardly be what was meant.
+  double longest_curve() const;
 
   const Example& example() const;
 

@@ -178,6 +178,7 @@ void append_values(AlongValues& result, const AlongValues& old, const FlattenedS
 struct PathMeasure {
   double length = 0;
   double small_length = 0;  // of curves with the style at less than half its size
+  bool too_long = false;    // it, or one of its subpaths, stays as it is
 };
 
 // A subpath that stays as it is.
@@ -203,13 +204,18 @@ NewSubpath kept(const Subpath& old, const FlattenedSubpath& flat) {
 }
 
 PathMeasure draw_path(PathRecord& record, const CurveAnalogy& style, std::uint64_t place) {
+  PathMeasure measure;
+  const Box box = record.path.control_box();
+  if (!(std::max(box.width(), box.height()) <= style.longest_curve())) {
+    measure.too_long = true;
+    return measure;
+  }
   const double size = style.example().feature_size();
   const std::vector<FlattenedSubpath> flats = flatten(record.path, kFlatness * size);
   const std::vector<Subpath> old = subpaths(record.path);
   AlongValues along;
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
   Path path;
-  PathMeasure measure;
   for (std::size_t i = 0; i < flats.size(); ++i) {
     const StyledCurve drawn = style.draw(flats[i].polyline, (place << 24) + i);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
@@ -219,6 +225,7 @@ PathMeasure draw_path(PathRecord& record, const CurveAnalogy& style, std::uint64
     path.append(fresh.path);
     append_values(along, record.along, flats[i], fresh.lengths);
     measure.length += length;
+    measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
   }
   record.path = std::move(path);
@@ -243,6 +250,16 @@ std::vector<PathRecord*> paths_of(Document& document) {
     if (auto* path = std::get_if<PathRecord>(&record)) result.push_back(path);
   }
   return result;
+}
+
+void warn_if_long(std::span<PathRecord* const> paths, std::span<const PathMeasure> measures,
+                  const WarningHandler& warn) {
+  for (std::size_t i = 0; warn && i < paths.size(); ++i) {
+    if (!measures[i].too_long) continue;
+    warn({{.file = "", .line = paths[i]->line},
+          std::string(given_id(paths[i]->id)),
+          "is over a million times as long as a step of the style; it stays as it is"});
+  }
 }
 
 void warn_if_small(std::span<const PathMeasure> measures, const WarningHandler& warn) {
@@ -274,6 +291,7 @@ void draw_again(Document& document, const CurveAnalogy& style, const DrawingOpti
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));
   });
+  warn_if_long(paths, measures, options.warn);
   warn_if_small(measures, options.warn);
 }
 

@@ -24,7 +24,8 @@ struct DrawingOptions {
 // curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to 1/10000 px
 // except where curves begin and end.
 //
-// Warns when most of the drawing had to be drawn with the style less than half its size.
+// Warns of curves that are too long for the style, and when most of the drawing had to be drawn
+// with the style at less than half its size.
 void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options);
 
 // The scale at which the style has room: about three times what the lines of the drawing need at

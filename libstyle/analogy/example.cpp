@@ -17,6 +17,7 @@ namespace {
 constexpr double kBaseBlur = 2;                // feature sizes: makes A from A' where A is left out
 constexpr double kStepsPerFeature = 4;         // finer steps draw no better, and cost
 constexpr double kMostSamplesPerFeature = 40;  // short examples need no finer ones
+constexpr double kLongestExample = 1e9;        // px; squares of lengths must not overflow
 constexpr double kMaxStates = 2048;            // bounds the table of jumps
 constexpr double kSharpTurn = 0.5;             // radians: resampling must not cut such a vertex off
 
@@ -45,9 +46,14 @@ SampledCurve checked(const SampledCurve& curve, double scale, const char* which)
     }
     p *= scale;
   }
-  if (result.size() == 0 || !(arc_length(result.polyline) > 0)) {
+  const double length = result.size() == 0 ? 0 : arc_length(result.polyline);
+  if (!(length > 0)) {
     throw Error(std::string("the ") + which +
                 " example is a single point; draw a line that shows the style");
+  }
+  if (!(length < kLongestExample)) {
+    throw Error(std::string("the ") + which +
+                " example is more than a billion px long; draw it smaller, or at a smaller scale");
   }
   return result;
 }

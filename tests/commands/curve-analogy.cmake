@@ -30,7 +30,11 @@ command_case(curve-analogy/scale-auto-leaves-room
   RUN "curve-analogy --unfiltered styles/grass-plain.svg --filtered styles/grass.svg --scale auto drawings/celtic_triskell_01.svg > $OUT/a.curves")
 command_case(curve-analogy/too-large-a-style-is-warned-about
   RUN "curve-analogy --filtered styles/loops.svg --scale 20 drawings/plan.svg -o $OUT/a.curves"
-  STDERR "~curve-analogy: warning: the style is large for this drawing: 100 % .*")
+  STDERR "~curve-analogy: drawings/plan.svg: warning: the style is large for this drawing: 100 % .*")
+command_case(curve-analogy/endless-lines-stay-as-they-are
+  RUN [[printf '{"curves":1}\n{"type":"path","id":"far","d":"M0 0 L1e300 0"}\n' | curve-analogy --filtered styles/wavy.svg | tail -n 1]]
+  STDERR "curve-analogy: stdin:2: warning: #far: is over a million times as long as a step of the style; it stays as it is"
+  SAME "echo '{\"type\":\"path\",\"id\":\"far\",\"d\":\"M0 0 L1e+300 0\"}'")
 command_case(curve-analogy/without-an-example
   RUN "curve-analogy drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: give an example of the style: --filtered FILE.*")

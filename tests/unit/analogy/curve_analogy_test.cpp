@@ -276,6 +276,16 @@ TEST(CurveAnalogy, DegenerateCurvesComeBackAsTheyAre) {
   }
 }
 
+TEST(CurveAnalogy, EndlessCurvesComeBackAsTheyAre) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for (const char* text : {"0 0, 1e9 0", "0 0, 1e200 0", "-1e308 0, 1e308 5, 0 0 z"}) {
+    const StyledCurve drawn = style.draw(polyline(text), 0);
+    EXPECT_EQ(drawn.curve, polyline(text)) << text;
+    EXPECT_TRUE(drawn.too_long);
+  }
+}
+
 TEST(CurveAnalogy, WildCurvesGiveFiniteResults) {
   const ExamplePair pair = wavy_pair();
   const CurveAnalogy style({&pair, 1}, {});
@@ -310,6 +320,8 @@ TEST(CurveAnalogy, RefusesExamplesThatCannotServe) {
   EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
   pair.filtered = with_length_parameter(polyline("0 0, 9 9"));
   pair.filtered.polyline.points[1].x = std::nan("");
+  EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
+  pair.filtered = with_length_parameter(polyline("0 0, 1e200 9"));
   EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
   EXPECT_THROW(CurveAnalogy({}, {}), Error);
 }

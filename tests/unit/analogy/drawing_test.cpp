@@ -185,6 +185,20 @@ TEST(DrawAgain, WarnsWhenTheStyleIsTooLarge) {
   EXPECT_THAT(warnings[0], testing::HasSubstr("100 %"));
 }
 
+TEST(DrawAgain, WarnsOfCurvesThatAreTooLong) {
+  Document document;
+  document.records.push_back(path_record("endless", "M0 0 L1e12 0"));
+  document.records.push_back(path_record("curved", "M0 0 C1e150 0 1e200 5 1e200 1e200"));
+  std::vector<std::string> ids;
+  const Document before = document;
+  draw_again(document, wavy_style(),
+             {.threads = 2, .progress = {}, .warn = [&](const Warning& warning) {
+                ids.push_back(warning.id);
+              }});
+  EXPECT_THAT(ids, testing::ElementsAre("endless", "curved"));
+  EXPECT_EQ(text_of(document), text_of(before));
+}
+
 TEST(DrawAgain, TellsHowFarItIs) {
   Document document;
   for (int i = 0; i < 5; ++i) document.records.push_back(path_record("", "M0 0 L90 0"));
