@@ -64,7 +64,7 @@ void validate_search(const SearchParameters& p) {
   require(p.fine_epsilon >= 0, "fine_epsilon", p.fine_epsilon, "0 or more");
   require(p.coarsest_passes >= 0 && p.coarsest_passes <= 100, "coarsest_passes", p.coarsest_passes,
           "0 to 100");
-  require(p.passes >= 0 && p.passes <= 100, "passes", p.passes, "0 to 100");
+  require(p.passes >= 1 && p.passes <= 100, "passes", p.passes, "1 to 100");
   require(p.longest_growth > 1, "longest_growth", p.longest_growth, "more than 1");
 }
 
@@ -76,6 +76,7 @@ SearchParameters paper_parameters() {
   p.levels = 8;
   p.neighborhood_samples = p.binomial_order;
   p.sample_spacing = 0.25;
+  p.least_overlap = 0.6;
   p.coherence = 0.5;
   p.coherence_of_finest = false;
   p.coherence_both_ways = false;

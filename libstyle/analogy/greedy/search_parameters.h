@@ -18,6 +18,8 @@
 
 namespace libstyle {
 
+inline constexpr double kFinestSpacing = 0.5;  // internal units
+
 struct SearchParameters {
   // Tells results apart that are otherwise made the same way.
   std::uint64_t seed = 1;
@@ -51,7 +53,7 @@ struct SearchParameters {
   double sample_spacing = 0.5;
   // Of the weight of a neighborhood's samples, how much a candidate must have as well: 0 < .. <= 1.
   // Neighborhoods at the end of a curve have few samples and would win for want of a comparison.
-  double least_overlap = 0.6;
+  double least_overlap = 1;
 
   // ---- The cost ------------------------------------------------------------------------------
 
@@ -83,8 +85,8 @@ struct SearchParameters {
   int random_levels = 3;  // 0 .. 64
   double fine_epsilon = 0;
 
-  int coarsest_passes = 2;  // refinements after the first pass, 0 .. 100
-  int passes = 3;           // refinements at every other level, 0 .. 100; 1 or more if there is one
+  int coarsest_passes = 2;       // refinements after the first pass, 0 .. 100
+  int passes = 3;                // refinements at every other level, 1 .. 100
   bool alternate_passes = true;  // every other refinement goes backwards
 
   // New levels begin as the level above with the detail of the copied pieces added (true), or as
