@@ -119,7 +119,7 @@ void DocumentBuilder::warn_unless(bool restored, pugi::xml_node element) {
 }
 
 void DocumentBuilder::describe(RecordBase& record, pugi::xml_node element) const {
-  record.line = file_.place(element).line;
+  if (element) record.line = file_.place(element).line;
   for (const pugi::xml_attribute attribute : element.attributes()) {
     const std::string_view name = attribute.name();
     if (name == "class") {

@@ -41,7 +41,7 @@ class DocumentBuilder {
   void add_carried_records(pugi::xml_node root);
 
   // Adds a group for an element, or none when it would carry nothing. Returns the id that its
-  // members are in.
+  // members are in. `element` may be null.
   std::string add_group(pugi::xml_node element, const GroupLook& look, const std::string& parent);
 
   // Adds a path for an element, with the element's id and notes.

@@ -50,17 +50,31 @@ std::string DocumentCanvas::add_viewport_clip(const Rectangle& viewport,
 void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path path,
                                const Scope& scope) {
   warn_not_carried(element, scope.style);
-  warn_markers(element, kind, scope.style);
   PathRecord record;
   record.clip = clips_.find_or_add(element, scope, [&] { return bounding_box(path); });
   const LengthContext context = length_context(scope.style, scope.viewport);
   record.style =
       painter_.painted_style(element, scope.style, {path, scope.page_from_user, context});
+  const bool marked = markers_.any(kind, scope.style);
+  const Path user_path = marked ? path : Path();
   record.path = std::move(path);
   record.path.transform(scope.page_from_user);
   record.shape = shape_name(kind, element);
   settle_shape(record.shape, record.path);
-  builder_.add_path(element, std::move(record), scope.group);
+  if (!marked) return builder_.add_path(element, std::move(record), scope.group);
+  Scope around = scope;
+  around.group = group_with_markers(record, scope.group);
+  builder_.add_path(element, std::move(record), around.group);
+  markers_.draw(element, kind, user_path, around);
+}
+
+// Opacity and clip of a path are also those of its markers: a group takes them over.
+std::string DocumentCanvas::group_with_markers(PathRecord& path, const std::string& parent) {
+  if (path.style.opacity == 1 && path.clip.empty()) return parent;
+  GroupLook look;
+  look.opacity = std::exchange(path.style.opacity, 1);
+  look.clip = std::exchange(path.clip, "");
+  return builder_.add_group({}, look, parent);
 }
 
 void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyle& style) {
@@ -70,18 +84,6 @@ void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyl
   warn(style.mask, "mask");
   warn(style.filter, "filter");
   warn(style.blend_mode, "mix-blend-mode");
-}
-
-void DocumentCanvas::warn_markers(pugi::xml_node element, ElementKind kind,
-                                  const ComputedStyle& style) {
-  const bool takes_markers = kind == ElementKind::kPath || kind == ElementKind::kLine ||
-                             kind == ElementKind::kPolyline || kind == ElementKind::kPolygon;
-  if (!takes_markers) return;
-  for (const std::string_view marker : {style.marker_start, style.marker_mid, style.marker_end}) {
-    if (drawing_.index.find_reference(marker)) {
-      drawing_.reporter.warn(element, "markers are not carried");
-    }
-  }
 }
 
 }  // namespace libstyle::svg

@@ -8,6 +8,7 @@
 #include "converters/svg/canvas.h"
 #include "converters/svg/clip_paths.h"
 #include "converters/svg/document_builder.h"
+#include "converters/svg/markers.h"
 #include "converters/svg/painter.h"
 #include "converters/svg/walker.h"
 
@@ -19,7 +20,8 @@ class DocumentCanvas final : public Canvas {
       : drawing_(drawing),
         builder_(builder),
         painter_(drawing.index, drawing.reporter, builder),
-        clips_(drawing, builder) {}
+        clips_(drawing, builder),
+        markers_(drawing, *this) {}
 
   bool open_group(pugi::xml_node element, Scope& scope,
                   const std::optional<Rectangle>& viewport) override;
@@ -28,13 +30,14 @@ class DocumentCanvas final : public Canvas {
  private:
   std::string add_viewport_clip(const Rectangle& viewport, const std::string& outer_clip,
                                 const Scope& scope);
+  std::string group_with_markers(PathRecord& path, const std::string& parent);
   void warn_not_carried(pugi::xml_node element, const ComputedStyle& style);
-  void warn_markers(pugi::xml_node element, ElementKind kind, const ComputedStyle& style);
 
   Drawing& drawing_;
   DocumentBuilder& builder_;
   Painter painter_;
   ClipPaths clips_;
+  Markers markers_;
 };
 
 }  // namespace libstyle::svg

@@ -9,7 +9,7 @@ namespace {
 
 class PathParser {
  public:
-  explicit PathParser(std::string_view text) : scanner_(text) {}
+  PathParser(std::string_view text, bool arcs_whole) : scanner_(text), arcs_whole_(arcs_whole) {}
 
   ParsedPath parse() {
     scanner_.skip_spaces();
@@ -127,9 +127,21 @@ class PathParser {
     if (!take_flag(arc.large) || !take_flag(arc.clockwise) || !take_next_point(arc.end))
       return false;
     begin_subpath();
-    append_arc(path_, arc);
+    if (arcs_whole_) {
+      append_whole(arc);
+    } else {
+      append_arc(path_, arc);
+    }
     stand_at(arc.end);
     return true;
+  }
+
+  void append_whole(const Arc& arc) {
+    Path pieces;
+    append_arc(pieces, arc);
+    const auto points = pieces.points();
+    if (points.size() < 3) return path_.append(pieces);
+    path_.cubic_to(points.front(), points[points.size() - 2], points.back());
   }
 
   bool close() {
@@ -204,6 +216,7 @@ class PathParser {
   }
 
   Scanner scanner_;
+  bool arcs_whole_;  // one cubic for each arc
   Path path_;
   char command_ = 0;  // in lower case
   bool relative_ = false;
@@ -216,6 +229,8 @@ class PathParser {
 
 }  // namespace
 
-ParsedPath parse_path_grammar(std::string_view text) { return PathParser(text).parse(); }
+ParsedPath parse_path_grammar(std::string_view text) { return PathParser(text, false).parse(); }
+
+Path parse_path_vertices(std::string_view text) { return PathParser(text, true).parse().path; }
 
 }  // namespace libstyle::svg

@@ -25,4 +25,8 @@ struct ParsedPath {
 
 ParsedPath parse_path_grammar(std::string_view text);
 
+// The same, but each arc is one cubic that begins and ends as the arc does and is wrong between:
+// for those who ask only for the vertices that were written and the directions there.
+Path parse_path_vertices(std::string_view text);
+
 }  // namespace libstyle::svg

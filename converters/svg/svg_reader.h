@@ -11,14 +11,14 @@
 //    - cascade: what its properties are (style_sheet, selector, property),
 //    - element_path: what its path is (path_grammar, shapes, length).
 // 4. document_canvas: what the walk comes to, brought to the page with its paint (painter, stroke,
-//    gradients) and its clips (clip_paths).
+//    gradients), its clips (clip_paths) and its markers.
 // 5. document_builder: the records.
 //
 // Carried: svg, g, a, switch, use, symbol, the basic shapes and path; transforms, viewBox, every
-// unit; style sheets; fill and stroke in full; gradients; opacity; clip-path; ids, classes, layers,
-// labels and data-* attributes; what curves2svg carries along. What is hidden stays, as hidden. Not
-// carried, with one warning for each element: text, images, foreignObject, filters, masks, patterns,
-// markers, animation, scripts.
+// unit; style sheets; fill and stroke in full; gradients; markers; opacity; clip-path; ids, classes,
+// layers, labels and data-* attributes; what curves2svg carries along. What is hidden stays, as
+// hidden. Not carried, with one warning for each element: text, images, foreignObject, filters,
+// masks, patterns, animation, scripts.
 //
 // Nothing outside the text is ever opened. Depth, repetition and size are limited (SvgLimits).
 #pragma once

@@ -316,15 +316,6 @@ TEST(SvgReader, SaysItOnceForEachElement) {
       1U);
 }
 
-TEST(SvgReader, WarnsAboutMarkersOnlyWhereTheyWouldBeDrawn) {
-  EXPECT_THAT(read("<marker id='m'/><g marker-end='url(#m)'><rect width='1' height='1'/></g>"
-                   "<path marker-end='url(#none)' d='M0 0H1'/>")
-                  .warnings,
-              IsEmpty());
-  EXPECT_EQ(
-      read("<marker id='m'/><path id='p' style='marker:url(#m)' d='M0 0H1'/>").warnings.size(), 1U);
-}
-
 TEST(SvgReader, NeverPassesOnNumbersThatAreNotFinite) {
   const Reading reading = read(
       "<path id='a' d='M0 0 L1e308 1e308' transform='scale(1e10)'/><path id='b' d='M0 0 L1e999 0 "
