@@ -104,8 +104,7 @@ WarningHandler warnings_from(const std::string& input, Session& session) {
 void run(const Settings& settings, Session& session) {
   StyleFitter fitter(settings, session);
   OutputFile output(settings.output);
-  const std::vector<std::string> from_stdin = {"-"};
-  for (const std::string& name : settings.inputs.empty() ? from_stdin : settings.inputs) {
+  for (const std::string& name : settings.inputs) {
     DocumentInput input(name, session.warning_handler());
     Document document;
     while (input.read(document)) {

@@ -62,8 +62,7 @@ class SvgFiles {
 
 void run(const Settings& settings, Session& session) {
   SvgFiles files(settings.output, session);
-  const std::vector<std::string> from_stdin = {"-"};
-  const std::vector<std::string>& inputs = settings.inputs.empty() ? from_stdin : settings.inputs;
+  const std::vector<std::string>& inputs = settings.inputs;
   for (const std::string& input : inputs) {
     DocumentInput documents(input, session.warning_handler());
     Document document;

@@ -94,9 +94,8 @@ class PictureFiles {
 void run(const Settings& settings, Session& session) {
   const WarningHandler warn = session.warning_handler();
   PictureFiles pictures(settings.output, picture_settings(settings), warn);
-  const std::vector<std::string> from_stdin = {"-"};
   Document document;
-  for (const std::string& input : settings.inputs.empty() ? from_stdin : settings.inputs) {
+  for (const std::string& input : settings.inputs) {
     DocumentInput documents(input, warn);
     if (!documents.read(document)) {
       throw Error({display_name(input)}, "holds no document; a document begins with a header line");

@@ -36,8 +36,7 @@ void run(const Settings& settings, Session& session) {
     options.style_sheet = read_text(settings.style_sheet, options.limits.xml.bytes);
   }
   OutputFile output(settings.output);
-  const std::vector<std::string> from_stdin = {"-"};
-  for (const std::string& input : settings.inputs.empty() ? from_stdin : settings.inputs) {
+  for (const std::string& input : settings.inputs) {
     write_document(output, convert(input, options, session));
   }
   if (settings.strict && session.warning_count() > 0) {

@@ -146,6 +146,7 @@ int run_command(int argc, const char* const* argv, const Command& command) {
   } catch (const CLI::ParseError& error) {
     return report_wrong_use(command.name, error.what());
   }
+  if (command.inputs != nullptr && command.inputs->empty()) command.inputs->push_back("-");
   return guarded(command.name, [&] {
     if (common.help) return print(help);
     if (common.version) return print(command.name + " (libstyle) " LIBSTYLE_VERSION "\n");

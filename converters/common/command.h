@@ -79,11 +79,12 @@ class Session {
 
 struct Command {
   std::string name;
-  std::string summary;                         // completes "name - ..."
-  std::vector<std::string> synopsis;           // real command lines
-  std::vector<Option> options;                 // without --quiet, --help and --version
-  std::vector<std::string>* inputs = nullptr;  // positional names; null: the program takes none
-  std::function<void(Session&)> run;           // throws Error or UsageError
+  std::string summary;                // completes "name - ..."
+  std::vector<std::string> synopsis;  // real command lines
+  std::vector<Option> options;        // without --quiet, --help and --version
+  // Positional names; "-" stands for stdin when none are given. Null: the program takes none.
+  std::vector<std::string>* inputs = nullptr;
+  std::function<void(Session&)> run;  // throws Error or UsageError
 };
 
 // Parses, runs, reports. Returns the exit code: 0 done, 1 bad data or a failed run, 2 wrong use.

@@ -64,6 +64,12 @@ TEST(Command, ReadsEveryKindOfOption) {
   EXPECT_EQ(sample.scale, 0.5);
 }
 
+TEST(Command, ReadsStdinWhenNoInputIsNamed) {
+  Sample sample;
+  EXPECT_EQ(sample.call({"--strict"}), 0);
+  EXPECT_THAT(sample.inputs, ElementsAre("-"));
+}
+
 TEST(Command, HistoryHoldsOnlyWhatDecidesTheResult) {
   Sample sample;
   sample.call({"--threads", "2", "--style", "some/where/my pen.svg", "--strict", "-s", "7", "-q"});
