@@ -70,9 +70,10 @@ Path points(pugi::xml_node element, ElementKind kind, Reporter& reporter) {
   return kind == ElementKind::kPolygon ? polygon_path(list.points) : polyline_path(list.points);
 }
 
-Path path(pugi::xml_node element, Reporter& reporter) {
-  ParsedPath parsed = parse_path_grammar(element.attribute("d").value());
-  if (parsed.error_at) {
+Path path(pugi::xml_node element, std::size_t point_limit, Reporter& reporter) {
+  ParsedPath parsed = parse_path_grammar(element.attribute("d").value(), point_limit);
+  const bool over = parsed.path.points().size() > point_limit;
+  if (parsed.error_at && !over) {
     reporter.warn(element, "its path data has an error at character " +
                                std::to_string(*parsed.error_at + 1) + "; it is drawn up to there");
   }
@@ -98,7 +99,7 @@ LengthContext length_context(const ComputedStyle& style, const Vector& viewport)
 }
 
 Path element_path(pugi::xml_node element, ElementKind kind, const ComputedStyle& style,
-                  const Vector& viewport, Reporter& reporter) {
+                  const Vector& viewport, std::size_t point_limit, Reporter& reporter) {
   if (kind != ElementKind::kPath) warn_wrong_lengths(element, reporter);
   const Resolver px(length_context(style, viewport));
   switch (kind) {
@@ -114,7 +115,7 @@ Path element_path(pugi::xml_node element, ElementKind kind, const ComputedStyle&
     case ElementKind::kPolygon:
       return points(element, kind, reporter);
     case ElementKind::kPath:
-      return path(element, reporter);
+      return path(element, point_limit, reporter);
     default:
       return {};
   }

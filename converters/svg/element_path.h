@@ -14,8 +14,9 @@ namespace libstyle::svg {
 // What lengths in an element of this style refer to within a viewport of this size.
 LengthContext length_context(const ComputedStyle& style, const Vector& viewport);
 
-// In the element's own user space. A path with an error is drawn up to there, with a warning.
+// In the element's own user space. A path with an error is drawn up to there, with a warning; one
+// of more than `point_limit` points may end after that.
 Path element_path(pugi::xml_node element, ElementKind kind, const ComputedStyle& style,
-                  const Vector& viewport, Reporter& reporter);
+                  const Vector& viewport, std::size_t point_limit, Reporter& reporter);
 
 }  // namespace libstyle::svg

@@ -18,8 +18,9 @@ pugi::xml_node next_in_file(pugi::xml_node node) {
 
 }  // namespace
 
-FileIndex::FileIndex(const XmlFile& file, const std::string& last_sheet, Reporter& reporter,
-                     const WarningHandler& warn) {
+FileIndex::FileIndex(const XmlFile& file, const std::string& last_sheet, std::size_t match_steps,
+                     Reporter& reporter, const WarningHandler& warn)
+    : sheets_(match_steps) {
   for (pugi::xml_node node = file.document().first_child(); node; node = next_in_file(node)) {
     if (node.type() == pugi::node_element) {
       visit(node, file, reporter, warn);

@@ -17,8 +17,8 @@ class FileIndex {
  public:
   // `last_sheet` is CSS that comes after that of the file. Warns about scripts, animations and
   // style sheets of other files.
-  FileIndex(const XmlFile& file, const std::string& last_sheet, Reporter& reporter,
-            const WarningHandler& warn);
+  FileIndex(const XmlFile& file, const std::string& last_sheet, std::size_t match_steps,
+            Reporter& reporter, const WarningHandler& warn);
 
   // The first element of this id; null when there is none.
   pugi::xml_node find(std::string_view id) const;

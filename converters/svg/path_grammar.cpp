@@ -9,7 +9,8 @@ namespace {
 
 class PathParser {
  public:
-  PathParser(std::string_view text, bool arcs_whole) : scanner_(text), arcs_whole_(arcs_whole) {}
+  PathParser(std::string_view text, std::size_t point_limit, bool arcs_whole)
+      : scanner_(text), point_limit_(point_limit), arcs_whole_(arcs_whole) {}
 
   ParsedPath parse() {
     scanner_.skip_spaces();
@@ -31,7 +32,7 @@ class PathParser {
     scanner_.skip_spaces();
     if (command_ == 'z') return close();
     do {
-      if (!parse_segment()) return false;
+      if (!parse_segment() || path_.points().size() > point_limit_) return false;
       if (command_ == 'm') command_ = 'l';
     } while (goes_on());
     return true;
@@ -216,6 +217,7 @@ class PathParser {
   }
 
   Scanner scanner_;
+  std::size_t point_limit_;
   bool arcs_whole_;  // one cubic for each arc
   Path path_;
   char command_ = 0;  // in lower case
@@ -229,8 +231,12 @@ class PathParser {
 
 }  // namespace
 
-ParsedPath parse_path_grammar(std::string_view text) { return PathParser(text, false).parse(); }
+ParsedPath parse_path_grammar(std::string_view text, std::size_t point_limit) {
+  return PathParser(text, point_limit, false).parse();
+}
 
-Path parse_path_vertices(std::string_view text) { return PathParser(text, true).parse().path; }
+Path parse_path_vertices(std::string_view text) {
+  return PathParser(text, std::numeric_limits<std::size_t>::max(), true).parse().path;
+}
 
 }  // namespace libstyle::svg

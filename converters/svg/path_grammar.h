@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -23,7 +24,9 @@ struct ParsedPath {
   std::optional<std::size_t> error_at;
 };
 
-ParsedPath parse_path_grammar(std::string_view text);
+// Stops, as at an error, when the path has more than `point_limit` points.
+ParsedPath parse_path_grammar(std::string_view text,
+                              std::size_t point_limit = std::numeric_limits<std::size_t>::max());
 
 // The same, but each arc is one cubic that begins and ends as the arc does and is wrong between:
 // for those who ask only for the vertices that were written and the directions there.

@@ -64,29 +64,53 @@ bool is_nth(int index, const PseudoClass& pseudo) {
   return beyond % pseudo.step == 0 && beyond / pseudo.step >= 0;
 }
 
-template <typename Step>
-int count_from(pugi::xml_node element, Step step) {
-  int count = 0;
-  for (; element; element = step(element)) ++count;
-  return count;
+// The place of an element among its siblings, from 1.
+int place_of(pugi::xml_node element, const PseudoClass& pseudo, std::size_t& steps_left) {
+  const auto step = pseudo.from_end ? next_element : previous_element;
+  const std::string_view type = element.name();
+  int place = 1;
+  for (pugi::xml_node other = step(element); other; other = step(other)) {
+    if (!pseudo.of_type || type == other.name()) ++place;
+    if (steps_left > 0) --steps_left;
+  }
+  return place;
 }
 
-bool holds(const CompoundSelector& compound, pugi::xml_node element);
+// "de" stands for itself and all that begins with "de-".
+bool is_language(std::string_view language, std::string_view range) {
+  return !range.empty() && language.size() >= range.size() &&
+         equal_ignoring_case(language.substr(0, range.size()), range) &&
+         (language.size() == range.size() || language[range.size()] == '-');
+}
 
-bool holds(const PseudoClass& pseudo, pugi::xml_node element) {
+// The language of an element is that of the nearest xml:lang or lang.
+bool has_language(pugi::xml_node element, const std::vector<std::string>& ranges) {
+  for (; element; element = element.parent()) {
+    pugi::xml_attribute language = element.attribute("xml:lang");
+    if (!language) language = element.attribute("lang");
+    if (!language) continue;
+    return std::ranges::any_of(
+        ranges, [&](const std::string& range) { return is_language(language.value(), range); });
+  }
+  return false;
+}
+
+bool holds(const CompoundSelector& compound, pugi::xml_node element, std::size_t& steps_left);
+
+bool holds(const PseudoClass& pseudo, pugi::xml_node element, std::size_t& steps_left) {
   using Kind = PseudoClass::Kind;
   switch (pseudo.kind) {
-    case Kind::kNthChild:
-      return is_nth(count_from(element, previous_element), pseudo);
-    case Kind::kNthLastChild:
-      return is_nth(count_from(element, next_element), pseudo);
+    case Kind::kPlace:
+      return is_nth(place_of(element, pseudo, steps_left), pseudo);
     case Kind::kRoot:
       return element.parent().type() == pugi::node_document;
     case Kind::kEmpty:
       return !element.first_child();
+    case Kind::kLanguage:
+      return has_language(element, pseudo.languages);
     case Kind::kNot:
       return std::ranges::none_of(pseudo.arguments, [&](const CompoundSelector& argument) {
-        return holds(argument, element);
+        return holds(argument, element, steps_left);
       });
     case Kind::kNever:
       return false;
@@ -94,7 +118,9 @@ bool holds(const PseudoClass& pseudo, pugi::xml_node element) {
   return false;
 }
 
-bool holds(const CompoundSelector& compound, pugi::xml_node element) {
+bool holds(const CompoundSelector& compound, pugi::xml_node element, std::size_t& steps_left) {
+  if (steps_left == 0) return false;
+  --steps_left;
   if (!compound.type.empty() && compound.type != element.name()) return false;
   for (const std::string& id : compound.ids) {
     if (id != element.attribute("id").value()) return false;
@@ -102,9 +128,11 @@ bool holds(const CompoundSelector& compound, pugi::xml_node element) {
   for (const std::string& name : compound.classes) {
     if (!has_word(element.attribute("class").value(), name)) return false;
   }
-  const auto test = [&](const auto& part) { return holds(part, element); };
-  return std::ranges::all_of(compound.attributes, test) &&
-         std::ranges::all_of(compound.pseudo_classes, test);
+  return std::ranges::all_of(compound.attributes,
+                             [&](const AttributeTest& test) { return holds(test, element); }) &&
+         std::ranges::all_of(compound.pseudo_classes, [&](const PseudoClass& pseudo) {
+           return holds(pseudo, element, steps_left);
+         });
 }
 
 pugi::xml_node parent_element(pugi::xml_node element) {
@@ -113,17 +141,17 @@ pugi::xml_node parent_element(pugi::xml_node element) {
 }
 
 // Whether the first `count` compounds match with the last of them at `element`. Nearer ancestors
-// and siblings are tried first; `budget` bounds the work of a selector made to be slow.
+// and siblings are tried first.
 bool matches_front(const Selector& selector, std::size_t count, pugi::xml_node element,
-                   int& budget) {
-  if (--budget < 0 || !holds(selector.compounds[count - 1], element)) return false;
+                   std::size_t& steps_left) {
+  if (!holds(selector.compounds[count - 1], element, steps_left)) return false;
   if (count == 1) return true;
   const Combinator combinator = selector.combinators[count - 2];
   const bool upwards = combinator == Combinator::kDescendant || combinator == Combinator::kChild;
   const bool once = combinator == Combinator::kChild || combinator == Combinator::kNextSibling;
   const auto step = upwards ? parent_element : previous_element;
   for (pugi::xml_node other = step(element); other; other = step(other)) {
-    if (matches_front(selector, count - 1, other, budget)) return true;
+    if (matches_front(selector, count - 1, other, steps_left)) return true;
     if (once) return false;
   }
   return false;
@@ -131,10 +159,8 @@ bool matches_front(const Selector& selector, std::size_t count, pugi::xml_node e
 
 }  // namespace
 
-bool matches(const Selector& selector, pugi::xml_node element) {
-  constexpr int kBudget = 10'000;  // elements tried; real style sheets need a few dozen
-  int budget = kBudget;
-  return matches_front(selector, selector.compounds.size(), element, budget);
+bool matches(const Selector& selector, pugi::xml_node element, std::size_t& steps_left) {
+  return matches_front(selector, selector.compounds.size(), element, steps_left);
 }
 
 }  // namespace libstyle::svg

@@ -3,11 +3,12 @@
 //
 // Known: * type .class #id, [a] [a=v] [a~=v] [a|=v] [a^=v] [a$=v] [a*=v], the combinators for
 // descendants, children (>), next (+) and later (~) siblings, :first-child :last-child :only-child
-// :nth-child(an+b) :root :empty :not(). Those that speak of a reader's doings (:hover, :link and
-// their like) are read and match nothing.
+// :nth-child(an+b), the same four ending in -of-type, :root :empty :lang() :not(). Those that speak
+// of a reader's doings (:hover, :link and their like) are read and match nothing.
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <pugixml.hpp>
@@ -28,11 +29,15 @@ struct AttributeTest {
 struct CompoundSelector;
 
 struct PseudoClass {
-  enum class Kind : std::uint8_t { kNthChild, kNthLastChild, kRoot, kEmpty, kNot, kNever };
+  enum class Kind : std::uint8_t { kPlace, kRoot, kEmpty, kLanguage, kNot, kNever };
 
   Kind kind = Kind::kNever;
-  int step = 0;  // of kNthChild and kNthLastChild: step n + offset
+  // Of kPlace, counted from 1: step n + offset for some n >= 0.
+  int step = 0;
   int offset = 1;
+  bool from_end = false;
+  bool of_type = false;                     // only siblings of the same type count
+  std::vector<std::string> languages;       // of kLanguage
   std::vector<CompoundSelector> arguments;  // of kNot
 };
 
@@ -64,6 +69,8 @@ struct Selector {
 // "rect, g > .thin". Nothing when any part is not understood: CSS then drops the whole list.
 std::optional<std::vector<Selector>> parse_selector_list(std::string_view text);
 
-bool matches(const Selector& selector, pugi::xml_node element);
+// Takes its cost, in elements looked at, off `steps_left`; when that is used up nothing matches. (A
+// selector of a few words can ask for any number of steps.)
+bool matches(const Selector& selector, pugi::xml_node element, std::size_t& steps_left);
 
 }  // namespace libstyle::svg

@@ -81,7 +81,9 @@ class SelectorParser {
         ++specificity.classes;
         if (!parse_attribute(compound.attributes.emplace_back())) return false;
       } else if (scanner_.take(':')) {
-        if (!parse_pseudo_class(compound.pseudo_classes.emplace_back(), specificity)) return false;
+        PseudoClass pseudo;
+        if (!parse_pseudo_class(pseudo, compound.pseudo_classes, specificity)) return false;
+        compound.pseudo_classes.push_back(std::move(pseudo));
       } else {
         return scanner_.position() > begin;
       }
@@ -122,27 +124,50 @@ class SelectorParser {
     return scanner_.take('=');
   }
 
-  bool parse_pseudo_class(PseudoClass& pseudo, Specificity& specificity) {
+  bool parse_pseudo_class(PseudoClass& pseudo, std::vector<PseudoClass>& more,
+                          Specificity& specificity) {
     const std::string name = take_identifier(scanner_);
     if (name == "not") return parse_not(pseudo, specificity);
     ++specificity.classes;
     using Kind = PseudoClass::Kind;
-    if (name == "nth-child" || name == "nth-last-child") {
-      pseudo.kind = name == "nth-child" ? Kind::kNthChild : Kind::kNthLastChild;
-      return parse_nth(take_argument(scanner_), pseudo);
-    }
-    if (name == "first-child") {
-      pseudo.kind = Kind::kNthChild;
-    } else if (name == "last-child") {
-      pseudo.kind = Kind::kNthLastChild;
-    } else if (name == "root") {
+    if (name == "root") {
       pseudo.kind = Kind::kRoot;
     } else if (name == "empty") {
       pseudo.kind = Kind::kEmpty;
+    } else if (name == "lang") {
+      pseudo.kind = Kind::kLanguage;
+      return parse_languages(pseudo.languages);
+    } else if (name.ends_with("-child") || name.ends_with("-of-type")) {
+      pseudo.kind = Kind::kPlace;
+      return parse_place(name, pseudo, more);
     } else {
       return is_never(name);
     }
     return true;
+  }
+
+  // "first", "last", "only", "nth" or "nth-last", then "-child" or "-of-type".
+  bool parse_place(std::string_view name, PseudoClass& pseudo, std::vector<PseudoClass>& more) {
+    pseudo.of_type = name.ends_with("-of-type");
+    name.remove_suffix(std::string_view(pseudo.of_type ? "-of-type" : "-child").size());
+    pseudo.from_end = name == "last" || name == "nth-last";
+    if (name == "only") {
+      more.push_back(pseudo);
+      more.back().from_end = true;
+    }
+    if (name == "nth" || name == "nth-last") return parse_nth(take_argument(scanner_), pseudo);
+    return name == "first" || name == "last" || name == "only";
+  }
+
+  bool parse_languages(std::vector<std::string>& languages) {
+    const std::string text = take_argument(scanner_);
+    Scanner argument(text);
+    do {
+      argument.skip_spaces();
+      languages.push_back(take_string_or_identifier(argument));
+      argument.skip_spaces();
+    } while (argument.take(','));
+    return argument.at_end() && !languages.back().empty();
   }
 
   static bool is_never(std::string_view name) {

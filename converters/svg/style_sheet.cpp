@@ -65,6 +65,7 @@ std::vector<Declaration> parse_declarations(std::string_view text) {
 }
 
 void StyleSheets::add(std::string_view text, const Place& place, const WarningHandler& warn) {
+  if (!text.empty()) place_ = place;
   texts_.push_back(without_comments(text));
   std::string_view rest = without_html_comments(texts_.back());
   while (!rest.empty()) {
@@ -134,15 +135,18 @@ void StyleSheets::find_matching(pugi::xml_node element,
                                 std::vector<Declaration>& declarations) const {
   std::vector<std::size_t> matching;
   collect_candidates(element, matching);
-  std::erase_if(matching,
-                [&](std::size_t rule) { return !matches(rules_[rule].selector, element); });
+  std::erase_if(matching, [&](std::size_t rule) {
+    return !matches(rules_[rule].selector, element, steps_left_);
+  });
   std::ranges::sort(matching, {}, [&](std::size_t rule) {
     return std::tuple(rules_[rule].selector.specificity, rule);
   });
   for (const std::size_t rule : matching) {
     const std::vector<Declaration>& block = blocks_[rules_[rule].block];
     declarations.insert(declarations.end(), block.begin(), block.end());
+    steps_left_ -= std::min(steps_left_, block.size());
   }
+  if (steps_left_ == 0) throw Error(place_, "the style sheet takes too long to match");
 }
 
 }  // namespace libstyle::svg

@@ -29,6 +29,10 @@ std::vector<Declaration> parse_declarations(std::string_view text);
 
 class StyleSheets {
  public:
+  // What matching may cost in all, in elements looked at: real sheets need a dozen for each
+  // element.
+  explicit StyleSheets(std::size_t step_limit) : steps_left_(step_limit) {}
+
   // Adds a sheet after those added before. Rules with selectors that are not understood, and
   // at-rules (@media, @import), are left out with a warning; @font-face and @charset silently.
   void add(std::string_view text, const Place& place, const WarningHandler& warn);
@@ -36,6 +40,7 @@ class StyleSheets {
   bool empty() const { return rules_.empty(); }
 
   // The declarations of all rules that match, the ones that win last; !important is not considered.
+  // Throws Error when all calls together have taken too long.
   void find_matching(pugi::xml_node element, std::vector<Declaration>& declarations) const;
 
  private:
@@ -56,6 +61,8 @@ class StyleSheets {
   std::vector<Rule> rules_;
   Index by_id_, by_class_, by_type_;
   std::vector<std::size_t> of_any_;
+  Place place_;  // of the last sheet
+  mutable std::size_t steps_left_;
 };
 
 }  // namespace libstyle::svg

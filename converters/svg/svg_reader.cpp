@@ -38,7 +38,7 @@ Document read_svg(std::string text, const std::string& name, const SvgReadOption
                   const WarningHandler& warn) {
   const XmlFile file(std::move(text), name, options.limits.xml, warn);
   Reporter reporter(file, warn);
-  const FileIndex index(file, options.style_sheet, reporter, warn);
+  const FileIndex index(file, options.style_sheet, options.limits.match_steps, reporter, warn);
   const ComputedStyle style = cascade(file.root(), {}, index.sheets());
   const Page page = read_page(file.root(), style);
 

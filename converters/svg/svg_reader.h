@@ -36,8 +36,10 @@ struct SvgLimits {
   XmlLimits xml;
   // Elements drawn by way of `use`: a small file can ask for any number.
   std::size_t used_elements = 500'000;
+  // Elements looked at to match style sheets; a few seconds.
+  std::size_t match_steps = 30'000'000;
   // Points of all paths together, 16 bytes each.
-  std::size_t points = std::size_t{100} << 20;
+  std::size_t points = std::size_t{32} << 20;
 };
 
 struct SvgReadOptions {

@@ -157,7 +157,8 @@ void Walker::draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle
 }
 
 void Walker::draw_shape(pugi::xml_node element, ElementKind kind, const Scope& scope) {
-  Path path = element_path(element, kind, scope.style, scope.viewport, drawing_.reporter);
+  Path path = element_path(element, kind, scope.style, scope.viewport, drawing_.limits.points,
+                           drawing_.reporter);
   if (path.empty()) return;
   count_points(element, path);
   if (!is_finite(path, scope.page_from_user)) {

@@ -21,7 +21,7 @@
 namespace libstyle::svg {
 
 struct XmlLimits {
-  std::size_t bytes = std::size_t{512} << 20;
+  std::size_t bytes = std::size_t{256} << 20;
   std::size_t depth = 1000;  // elements within elements
   EntityLimits entities;
 };

@@ -17,6 +17,7 @@ svg::SvgReadOptions small_limits() {
   svg::SvgReadOptions options;
   options.limits.used_elements = 1000;
   options.limits.points = 100'000;
+  options.limits.match_steps = 100'000;
   options.limits.xml.entities.bytes = 100'000;
   return options;
 }

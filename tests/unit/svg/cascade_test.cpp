@@ -117,6 +117,15 @@ TEST(Cascade, TakesTheStyleSheetOfTheUserLast) {
   EXPECT_EQ(fill_of(reading.path()), kRed);
 }
 
+TEST(Cascade, RefusesStyleSheetsMadeToBeSlow) {
+  std::string text = "<svg><style>x g g g g g g g g g g g{fill:red}</style>";
+  for (int i = 0; i < 200; ++i) text += "<g>";
+  for (int i = 0; i < 200; ++i) text += "</g>";
+  SvgReadOptions options;
+  options.limits.match_steps = 100'000;
+  EXPECT_THAT(read_error(text + "</svg>", options), testing::HasSubstr("takes too long to match"));
+}
+
 TEST(Cascade, ResolvesFontSizesForLengthsInEm) {
   const auto width = [](const std::string& inside) {
     return read(inside).path().style.stroke_width;
