@@ -26,7 +26,7 @@ function(command_case name)
       ${name} "${CASE_RUN}" ${CASE_EXIT} "${CASE_STDERR}" "${CASE_STDOUT}" "${CASE_SAME}"
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/fixtures)
   set_tests_properties(${name} PROPERTIES
-    TIMEOUT 60
+    TIMEOUT 300
     ENVIRONMENT
       "PATH=${CMAKE_RUNTIME_OUTPUT_DIRECTORY}:$ENV{PATH};OUT=${PROJECT_BINARY_DIR}/cases/${name};CASES=${CMAKE_CURRENT_SOURCE_DIR}")
 endfunction()
