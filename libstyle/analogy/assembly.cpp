@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "libstyle/analogy/stitch.h"
 #include "libstyle/analogy/warp.h"
@@ -131,8 +132,30 @@ std::vector<Vector> stitched_offsets(const RunPlacer& runs, const Ground& ground
   return stitch(anchors, moves, gaps, reach, closed);
 }
 
-void move_to_ends(std::vector<Vector>& offsets, std::span<const double> xs, double width) {
-  const WarpTarget targets[] = {{xs.front(), -offsets.front()}, {xs.back(), -offsets.back()}};
+// The sample coordinates with the held ones among them, bit for bit.
+std::vector<double> with_held(const std::vector<double>& xs, std::span<const double> held) {
+  std::vector<double> result;
+  auto next = held.begin();
+  for (const double x : xs) {
+    while (next != held.end() && *next < x - kSamePlace) result.push_back(*next++);
+    const bool same = next != held.end() && *next <= x + kSamePlace;
+    result.push_back(same ? *next++ : x);
+  }
+  result.insert(result.end(), next, held.end());
+  return result;
+}
+
+// A closed line feels what is held also from the other side of its seam.
+void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<const double> held,
+          double width, std::optional<double> period) {
+  std::vector<WarpTarget> targets;
+  for (const double x : held) {
+    const auto i = static_cast<std::size_t>(std::ranges::lower_bound(xs, x) - xs.begin());
+    targets.push_back({x, -offsets[i]});
+    if (!period) continue;
+    targets.push_back({x - *period, -offsets[i]});
+    targets.push_back({x + *period, -offsets[i]});
+  }
   const Warp warp(targets, width);
   for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += warp.at(xs[i]);
 }
@@ -150,27 +173,28 @@ std::vector<ChainRun> find_runs(const Example& example, std::span<const ChainSta
 }
 
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
-                    std::span<const ChainState> walk, bool keep_ends) {
+                    std::span<const ChainState> walk, std::span<const double> held) {
   const std::vector<ChainRun> found = find_runs(example, walk);
   const RunPlacer runs(example, found, grid.steps(), line.closed());
   const auto steps = static_cast<double>(grid.steps());
   const double feature = example.feature_along() / example.step();
   std::vector<double> xs = runs.sample_coordinates(steps);
   if (!line.closed()) xs.push_back(steps);
+  xs = with_held(xs, held);
 
   const Ground ground{line, grid};
   std::vector<Vector> offsets = stitched_offsets(runs, ground, xs, steps, kStitchReach * feature);
-  const bool hold_ends = keep_ends && !line.closed();
-  if (hold_ends) move_to_ends(offsets, xs, kWarpWidth * feature);
+  std::optional<double> period;
+  if (line.closed()) period = steps;
+  hold(offsets, xs, held, kWarpWidth * feature, period);
 
   DrawnLine drawn{{{}, line.closed()}, {}};
   for (std::size_t i = 0; i < xs.size(); ++i) {
-    drawn.lengths.push_back(grid.length_at(xs[i]));
-    drawn.curve.points.push_back(line.point_at(drawn.lengths.back()) + offsets[i]);
-  }
-  if (hold_ends) {
-    drawn.curve.points.front() = line.point_at(0);
-    drawn.curve.points.back() = line.point_at(line.length());
+    const bool is_held = std::ranges::binary_search(held, xs[i]);
+    const bool is_end = !line.closed() && i + 1 == xs.size();
+    drawn.lengths.push_back(is_end ? line.length() : grid.length_at(xs[i]));
+    const Point place = line.point_at(drawn.lengths.back());
+    drawn.curve.points.push_back(is_held ? place : place + offsets[i]);
   }
   return drawn;
 }

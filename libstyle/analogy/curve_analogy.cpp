@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/analogy/curve_analogy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -17,20 +18,23 @@
 namespace libstyle {
 namespace {
 
-// How far off the line a walk may begin and end, as a share of the reach of the style: what is
-// left over is bent onto the end points.
-constexpr double kEndSpread = 0.15;
+// How far off a line that is held a walk may be there, as a share of the reach of the style: what
+// is left over is bent into place.
+constexpr double kHeldSpread = 0.15;
 
 constexpr double kMostSteps = 1 << 20;
+
+// Places nearer to each other, or to an end, than this share of a line are held as one.
+constexpr double kHeldApart = 1e-6;
 
 // Feature sizes over which a corner is looked at.
 constexpr double kCornerReach = 0.5;
 
-// Lets open lines begin and end where the example crosses its unfiltered curve.
-class EndCosts {
+// Lets the example cross its unfiltered curve where a line is held in its place.
+class HeldCosts {
  public:
-  explicit EndCosts(const Example& example) {
-    const double spread = kEndSpread * example.reach();
+  explicit HeldCosts(const Example& example) {
+    const double spread = kHeldSpread * example.reach();
     for (std::size_t j = 0; j < example.state_count(); ++j) {
       const double start = example.length_of(j);
       starts_.push_back(cost(example.line(j).at(start).offset, spread));
@@ -38,13 +42,19 @@ class EndCosts {
     }
   }
 
-  // For a line of so many steps; see StepCosts.
-  bool add(std::size_t step, std::size_t steps, std::span<double> costs) const {
-    const bool first = step == 0, last = step + 1 == steps;
-    for (std::size_t j = 0; (first || last) && j < costs.size(); ++j) {
-      costs[j] += (first ? starts_[j] : 0.0) + (last ? ends_[j] : 0.0);
+  // For a line of so many steps that is held at these coordinates; see StepCosts.
+  bool add(std::size_t step, std::size_t steps, std::span<const double> held,
+           std::span<double> costs) const {
+    bool any = false;
+    for (const double x : held) {
+      const auto border = static_cast<std::size_t>(std::lround(x));
+      const bool at_end = border == steps && step + 1 == steps;
+      if (border != step && !at_end) continue;
+      const std::vector<double>& own = at_end ? ends_ : starts_;
+      for (std::size_t j = 0; j < costs.size(); ++j) costs[j] += own[j];
+      any = true;
     }
-    return first || last;
+    return any;
   }
 
  private:
@@ -54,6 +64,38 @@ class EndCosts {
 
   std::vector<double> starts_, ends_;
 };
+
+// Where a line of the curve is held, from where the curve is: in its style coordinates, rising.
+std::vector<double> held_coordinates(const StyleGrid& grid, bool open,
+                                     std::span<const double> held_lengths) {
+  std::vector<double> result;
+  const double margin = kHeldApart * grid.length();
+  double last = open ? 0 : -margin;
+  const double end = open ? grid.length() : grid.length() + margin;
+  if (open) result.push_back(0);
+  for (const double length : held_lengths) {
+    if (length < last + margin || length > end - margin) continue;
+    result.push_back(grid.coordinate_at(length));
+    last = length;
+  }
+  if (open) result.push_back(static_cast<double>(grid.steps()));
+  return result;
+}
+
+// Lengths along a curve as lengths along one of its lines, rising; a line may go on past the seam.
+std::vector<double> lengths_on(const PlainLine& line, double curve_length,
+                               std::span<const double> held) {
+  const double end = arc_length(line.line);
+  std::vector<double> result;
+  for (const double length : held) {
+    for (const double turn : {0.0, curve_length}) {
+      const double own = length + turn - line.length_before;
+      if (own >= 0 && own <= end) result.push_back(own);
+    }
+  }
+  std::ranges::sort(result);
+  return result;
+}
 
 StyledCurve unchanged(const Polyline& curve) {
   StyledCurve result;
@@ -77,9 +119,9 @@ class CurveAnalogy::Implementation {
       : parameters_((validate(parameters), parameters)),
         example_(pairs, parameters),
         jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)),
-        end_costs_(example_) {}
+        held_costs_(example_) {}
 
-  StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
+  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held) const;
 
   const Example& example() const { return example_; }
   double longest_curve() const { return kMostSteps * example_.step(); }
@@ -91,19 +133,22 @@ class CurveAnalogy::Implementation {
     double scaled_length = 0;
   };
 
-  DrawnPart draw_line(const Polyline& line, std::uint64_t place, std::uint64_t part) const;
+  DrawnPart draw_line(const Polyline& line, std::span<const double> held_lengths,
+                      const RandomStream& random, std::uint64_t part) const;
   std::vector<ChainState> walk_randomly(const StyleGrid& grid, bool closed,
-                                        const RandomStream& random, std::uint64_t first) const;
+                                        std::span<const double> held, const RandomStream& random,
+                                        std::uint64_t first) const;
   std::vector<ChainState> walk_by_shape(const Sweep& line, const StyleGrid& grid) const;
   ChainState random_origin(const RandomStream& random, std::uint64_t first) const;
 
   CurveAnalogyParameters parameters_;
   Example example_;
   JumpModel jumps_;
-  EndCosts end_costs_;
+  HeldCosts held_costs_;
 };
 
-StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place) const {
+StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place,
+                                               std::span<const double> held) const {
   for (const Point p : curve.points) {
     if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
   }
@@ -117,12 +162,15 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
       split_into_lines(curve, corner_angle, kCornerReach * example_.feature_along());
   if (lines.empty()) return unchanged(curve);
 
+  const RandomStream random(parameters_.seed, place);
+  const double curve_length = arc_length(curve);
   StyledCurve result;
   result.curve.closed = curve.closed;
   double total = 0, scaled = 0;
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
-    DrawnPart drawn = draw_line(lines[part].line, place, part);
+    DrawnPart drawn =
+        draw_line(lines[part].line, lengths_on(lines[part], curve_length, held), random, part);
     const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
     if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
     const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
@@ -144,19 +192,21 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
 }
 
 CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
-    const Polyline& line, std::uint64_t place, std::uint64_t part) const {
+    const Polyline& line, std::span<const double> held_lengths, const RandomStream& random,
+    std::uint64_t part) const {
   const StyleGrid grid(line, example_, parameters_);
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     StyledCurve plain = unchanged(line);
     return {{std::move(plain.curve), std::move(plain.lengths)}, {}, 0};
   }
+  std::vector<double> held;
+  if (parameters_.keep_ends) held = held_coordinates(grid, !line.closed, held_lengths);
   const double blur = grid.line_scale() * example_.feature_along();
   const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
-  const RandomStream random(parameters_.seed, place);
-  const std::vector<ChainState> walk = parameters_.shape_weight > 0
-                                           ? walk_by_shape(sweep, grid)
-                                           : walk_randomly(grid, line.closed, random, part << 32);
-  return {draw_walk(example_, sweep, grid, walk, parameters_.keep_ends), find_runs(example_, walk),
+  const std::vector<ChainState> walk =
+      parameters_.shape_weight > 0 ? walk_by_shape(sweep, grid)
+                                   : walk_randomly(grid, line.closed, held, random, part << 32);
+  return {draw_walk(example_, sweep, grid, walk, held), find_runs(example_, walk),
           grid.mean_scale() * grid.length()};
 }
 
@@ -173,19 +223,17 @@ ChainState CurveAnalogy::Implementation::random_origin(const RandomStream& rando
 
 std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const StyleGrid& grid,
                                                                     bool closed,
+                                                                    std::span<const double> held,
                                                                     const RandomStream& random,
                                                                     std::uint64_t first) const {
   ChainTask task;
   task.steps = grid.steps();
+  task.costs = [&](std::size_t step, std::span<double> costs) {
+    return held_costs_.add(step, task.steps, held, costs);
+  };
   if (closed) {
     task.origin = random_origin(random, first);
     task.returns = true;
-    return sample_chain(jumps_.chain, task, random, first);
-  }
-  if (parameters_.keep_ends) {
-    task.costs = [&](std::size_t step, std::span<double> costs) {
-      return end_costs_.add(step, task.steps, costs);
-    };
   }
   return sample_chain(jumps_.chain, task, random, first);
 }
@@ -216,8 +264,9 @@ CurveAnalogy::~CurveAnalogy() = default;
 CurveAnalogy::CurveAnalogy(CurveAnalogy&&) noexcept = default;
 CurveAnalogy& CurveAnalogy::operator=(CurveAnalogy&&) noexcept = default;
 
-StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place) const {
-  return implementation_->draw(curve, place);
+StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place,
+                               std::span<const double> held) const {
+  return implementation_->draw(curve, place, held);
 }
 
 double CurveAnalogy::longest_curve() const { return implementation_->longest_curve(); }

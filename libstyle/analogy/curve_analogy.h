@@ -69,7 +69,11 @@ class CurveAnalogy {
   // Draws one curve. `place` tells the curves of a drawing apart: equal curves with equal places
   // come out alike. Curves without length, too small for the style at its smallest, or longer than
   // longest_curve() come back as they are. Safe to call from several threads.
-  StyledCurve draw(const Polyline& curve, std::uint64_t place) const;
+  //
+  // `held` are lengths along the curve, rising, at which it passes through its own place exactly,
+  // as it does at its ends, so that lines that meet it there still do. Not if keep_ends is false.
+  StyledCurve draw(const Polyline& curve, std::uint64_t place,
+                   std::span<const double> held = {}) const;
 
   // A million steps of the example: more would take hours, and hardly be what was meant.
   double longest_curve() const;

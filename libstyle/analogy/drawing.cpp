@@ -20,6 +20,7 @@
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/cubic_fit.h"
 #include "libstyle/geometry/flatten.h"
+#include "libstyle/geometry/junctions.h"
 #include "libstyle/geometry/path_segments.h"
 
 namespace libstyle {
@@ -29,6 +30,7 @@ constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn a
 constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
 constexpr double kGrid = 1e4;           // coordinates to a px
 constexpr double kRoomyLine = 3;        // times what the style needs
+constexpr double kMeeting = 1e-3;       // of the drawing's diagonal: ends that near a line meet it
 
 bool comes_before(const Path* a, const Path* b) {
   const auto key = [](Point p) { return std::tuple(p.x, p.y); };
@@ -105,7 +107,7 @@ NewSubpath fit(const StyledCurve& drawn, double total_length, double tolerance) 
     append_fit(result, part.path);
     for (std::size_t i = k == 0 ? 0 : 1; i < part.points.size(); ++i) {
       const std::size_t point = breaks[k] + part.points[i];
-      result.lengths.push_back(point < n ? drawn.lengths[point] : total_length);
+      result.lengths.push_back(drawn.lengths[point % n] + (point < n ? 0 : total_length));
     }
   }
   if (closed) result.path.close();
@@ -118,14 +120,17 @@ NewSubpath fit(const StyledCurve& drawn, double total_length, double tolerance) 
 class ValuesByLength {
  public:
   ValuesByLength(const FlattenedSubpath& flat)
-      : lengths_(cumulative_lengths(flat.polyline)), places_(flat.places) {
-    if (flat.polyline.closed) places_.push_back(flat.places.front());
+      : lengths_(cumulative_lengths(flat.polyline)),
+        places_(flat.places),
+        goes_round_(flat.polyline.closed) {
+    if (goes_round_) places_.push_back(flat.places.front());
   }
 
   std::vector<double> at(std::span<const double> lengths, std::span<const double> values) const {
     const std::vector<double> known = values_along(places_, values);
     std::vector<double> result;
-    for (const double length : lengths) {
+    for (double length : lengths) {
+      if (goes_round_ && length > lengths_.back()) length -= lengths_.back();
       const auto after = std::ranges::upper_bound(lengths_, length);
       const auto i =
           std::clamp<std::ptrdiff_t>(after - lengths_.begin(), 1, std::ssize(lengths_) - 1);
@@ -140,6 +145,7 @@ class ValuesByLength {
  private:
   std::vector<double> lengths_;
   std::vector<PathPlace> places_;
+  bool goes_round_;
 };
 
 using ColorMember = std::uint8_t Color::*;
@@ -203,21 +209,60 @@ NewSubpath kept(const Subpath& old, const FlattenedSubpath& flat) {
   return result;
 }
 
-PathMeasure draw_path(PathRecord& record, const CurveAnalogy& style, std::uint64_t place) {
-  PathMeasure measure;
-  const Box box = record.path.control_box();
-  if (!(std::max(box.width(), box.height()) <= style.longest_curve())) {
-    measure.too_long = true;
-    return measure;
+// A path as lines, and where other lines end on them.
+struct FlatPath {
+  std::vector<FlattenedSubpath> subpaths;
+  std::vector<std::vector<double>> held;  // for each subpath: lengths along it, rising
+  bool too_long = false;                  // and therefore not flattened
+};
+
+FlatPath flatten_path(const Path& path, const CurveAnalogy& style) {
+  const Box box = path.control_box();
+  if (!(std::max(box.width(), box.height()) <= style.longest_curve())) return {{}, {}, true};
+  FlatPath flat{flatten(path, kFlatness * style.example().feature_size()), {}, false};
+  flat.held.resize(flat.subpaths.size());
+  return flat;
+}
+
+// Finds the lines that end on the middle of others, and notes on the latter where.
+void find_meetings(std::span<FlatPath> paths) {
+  std::vector<Polyline> curves;
+  std::vector<std::vector<double>*> held;
+  Box box;
+  for (FlatPath& path : paths) {
+    for (std::size_t i = 0; i < path.subpaths.size(); ++i) {
+      curves.push_back(path.subpaths[i].polyline);
+      held.push_back(&path.held[i]);
+      for (const Point p : curves.back().points) box.include(p);
+    }
   }
+  if (box.empty()) return;
+  const double tolerance = kMeeting * distance(box.low, box.high);
+  std::map<std::size_t, ArcLength> tables;
+  for (const Junction& junction : find_junctions(curves, tolerance).junctions) {
+    for (const JunctionMember& member : junction.members) {
+      if (member.role != JunctionRole::kInterior) continue;
+      const std::size_t curve = member.at.curve;
+      const ArcLength& along = tables.try_emplace(curve, curves[curve]).first->second;
+      held[curve]->push_back(along.length_to(member.at.place));
+    }
+  }
+  for (std::vector<double>* lengths : held) std::ranges::sort(*lengths);
+}
+
+PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
+                      std::uint64_t place) {
+  PathMeasure measure;
+  measure.too_long = flat.too_long;
+  if (flat.too_long) return measure;
   const double size = style.example().feature_size();
-  const std::vector<FlattenedSubpath> flats = flatten(record.path, kFlatness * size);
+  const std::vector<FlattenedSubpath>& flats = flat.subpaths;
   const std::vector<Subpath> old = subpaths(record.path);
   AlongValues along;
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
-    const StyledCurve drawn = style.draw(flats[i].polyline, (place << 24) + i);
+    const StyledCurve drawn = style.draw(flats[i].polyline, (place << 24) + i, flat.held[i]);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
     const NewSubpath fresh =
@@ -282,11 +327,14 @@ void warn_if_small(std::span<const PathMeasure> measures, const WarningHandler& 
 void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {
   const std::vector<PathRecord*> paths = paths_of(document);
   const std::vector<std::size_t> places = first_equals(paths);
+  std::vector<FlatPath> flat(paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) flat[i] = flatten_path(paths[i]->path, style);
+  find_meetings(flat);
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(paths.size(), options.threads, [&](std::size_t i) {
-    measures[i] = draw_path(*paths[i], style, places[i]);
+    measures[i] = draw_path(*paths[i], flat[places[i]], style, places[i]);
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));

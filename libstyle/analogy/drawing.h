@@ -22,7 +22,8 @@ struct DrawingOptions {
 // few cubics, with the corners of the drawing and of the style kept, within a hundredth of a
 // feature size. Values along the curves are carried to the new vertices. Paths that are the same
 // curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to 1/10000 px
-// except where curves begin and end.
+// except where curves begin and end. Lines that met, at their ends or one with the middle of
+// another, still meet.
 //
 // Warns of curves that are too long for the style, and when most of the drawing had to be drawn
 // with the style at less than half its size.

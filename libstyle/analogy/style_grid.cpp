@@ -130,6 +130,11 @@ double StyleGrid::length_at(double x) const {
   return std::lerp(lengths_[i], lengths_[i + 1], share);
 }
 
+double StyleGrid::coordinate_at(double length) const {
+  const auto [i, share] = locate(lengths_, length);
+  return std::lerp(coordinates_[i], coordinates_[i + 1], share);
+}
+
 double StyleGrid::scale_at(double x) const {
   const auto [i, share] = locate(coordinates_, x);
   return std::lerp(scales_[i], scales_[i + 1], std::clamp(share, 0.0, 1.0));

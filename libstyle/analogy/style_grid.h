@@ -36,6 +36,7 @@ class StyleGrid {
   // Outside 0 .. steps() an open line goes on straight in its coordinate; for closed lines bring x
   // into the range first.
   double length_at(double x) const;
+  double coordinate_at(double length) const;
   double scale_at(double x) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves a curve through given places with the least visible change.
+// Moves a curve through given places with little visible change.
 #pragma once
 
 #include <span>
@@ -15,9 +15,17 @@ struct WarpTarget {
   Vector offset;
 };
 
-// The sum of one Gaussian of standard deviation `width` (> 0) at each target, with the coefficients
-// that move every target by exactly its offset (to rounding). Targets nearer to each other than
-// about width / 1000 count as one, and the first decides.
+// A smooth offset along the curve that is exactly that of each target there and fades between them.
+//
+// Alone, a target makes a Gaussian bump k of standard deviation `width` (> 0). Between neighbours
+// at p and q, with u = (x - p) / (q - p) and S(u) = 3 u^2 - 2 u^3,
+//
+//     offset(x) = (1 - S(u)) k(x - p) offset_p + S(u) k(x - q) offset_q
+//
+// which has no kinks and is never larger than the larger of the two, however near the targets are
+// to each other. (Bumps whose heights solve a linear system are smoother, but swing wildly between
+// targets much nearer than their width, and three of those make the system singular.) Of targets at
+// the same place the first one given counts. Cost: O(log n) a place.
 class Warp {
  public:
   Warp(std::span<const WarpTarget> targets, double width);
@@ -25,9 +33,9 @@ class Warp {
   Vector at(double position) const;
 
  private:
-  double kernel(double distance) const;
+  Vector bump(const WarpTarget& target, double position) const;
 
-  std::vector<WarpTarget> bumps_;  // offset: the coefficient
+  std::vector<WarpTarget> targets_;  // by rising position
   double width_;
 };
 

@@ -174,6 +174,24 @@ TEST(CurveAnalogy, OutlinesKeepTheirCornersExactly) {
   }
 }
 
+TEST(CurveAnalogy, PassesThroughHeldPlacesExactly) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  // With a corner away from its first point, so that its last line goes on past the seam.
+  const Polyline drop =
+      polyline("100 100, 150 130, 170 180, 150 240, 100 260, 0 260, 0 160, 40 110 z");
+  for (const Polyline& curve : {s_curve(), egg(), drop, polyline("0 0, 200 0, 200 120, 0 120 z")}) {
+    const ArcLength along(curve);
+    const double held[] = {0.04 * along.total(), 0.31 * along.total(), 0.78 * along.total()};
+    for (std::uint64_t place = 0; place < 5; ++place) {
+      const StyledCurve drawn = style.draw(curve, place, held);
+      for (const double length : held) {
+        EXPECT_LT(distance_from(drawn.curve, along.point_at(length)), 1e-6);
+      }
+    }
+  }
+}
+
 TEST(CurveAnalogy, ClosedCurvesCloseWithoutASeam) {
   const ExamplePair pair = wavy_pair();
   for (const double shape_weight : {0.0, 2.0}) {

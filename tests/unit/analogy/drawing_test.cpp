@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "libstyle/curves/writer.h"
+#include "libstyle/geometry/flatten.h"
 #include "libstyle/geometry/path_data.h"
 #include "tests/support/matchers.h"
 
@@ -89,6 +90,19 @@ TEST(DrawAgain, LinesThatMetStillMeet) {
   EXPECT_EQ(path_at(result, 1).path.vertices().back(), (Point{250.55555, 100.77777}));
 }
 
+TEST(DrawAgain, LinesThatEndOnOthersStillMeetThem) {
+  Document document;
+  document.records.push_back(path_record("wall", "M0 0 L300 0"));
+  document.records.push_back(path_record("door", "M110.5 0 L110.5 80"));
+  const Document result = drawn(document);
+  EXPECT_EQ(path_at(result, 1).path.vertices().front(), (Point{110.5, 0}));
+  double nearest = 1e9;
+  for (const FlattenedSubpath& flat : flatten(path_at(result, 0).path, 1e-3)) {
+    for (const Point p : flat.polyline.points) nearest = std::min(nearest, distance(p, {110.5, 0}));
+  }
+  EXPECT_LT(nearest, 0.5);  // 3 px and more without
+}
+
 TEST(DrawAgain, EverySubpathStaysASubpathClosedAsBefore) {
   Document document;
   document.records.push_back(path_record(
@@ -139,6 +153,22 @@ TEST(DrawAgain, CarriesValuesAlongTheCurve) {
   }
   EXPECT_EQ(widths.front(), 1);
   EXPECT_EQ(widths.back(), 1);
+}
+
+TEST(DrawAgain, CarriesValuesAcrossTheSeamOfAnOutline) {
+  // The outline begins in the middle of a side, where it is thinnest.
+  Document document;
+  PathRecord record = path_record("box", "M100 0 L200 0 L200 100 L0 100 L0 0 Z");
+  record.along.channels = {{"width", {1, 2, 3, 3, 2}}};
+  document.records.push_back(record);
+  const PathRecord after = path_at(drawn(document), 0);
+  const std::vector<Point> vertices = after.path.vertices();
+  const std::vector<double>& widths = *after.along.find("width");
+  ASSERT_EQ(widths.size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (vertices[i].x < 30 || vertices[i].x > 170 || vertices[i].y > 20) continue;
+    EXPECT_NEAR(widths[i], 1 + std::abs(vertices[i].x - 100) / 100, 0.1);
+  }
 }
 
 TEST(DrawAgain, WritesFewSmoothPieces) {

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/matchers.h"
 #include "tests/support/seeds.h"
 
@@ -14,14 +17,28 @@ TEST(Warp, MovesEveryTargetByItsOffset) {
     RandomValues random(seed);
     std::vector<WarpTarget> targets;
     double position = 0;
-    for (std::size_t i = 0; i < 1 + seed % 6; ++i) {
+    for (std::size_t i = 0; i < 1 + seed % 30; ++i) {
       targets.push_back({position, {random.normal(5), random.normal(5)}});
-      position += random.uniform(2, 30);
+      position += std::pow(10, random.uniform(-9, 2));  // far apart and very near
     }
     const Warp warp(targets, 7);
     for (const WarpTarget& target : targets) {
-      EXPECT_THAT(warp.at(target.position), PointNear(target.offset, 1e-6));
+      EXPECT_THAT(warp.at(target.position), PointNear(target.offset, 0));
     }
+  });
+}
+
+TEST(Warp, IsNeverLargerThanItsTargets) {
+  for_each_seed(50, [](std::uint64_t seed) {
+    RandomValues random(seed);
+    std::vector<WarpTarget> targets;
+    double largest = 0;
+    for (int i = 0; i < 40; ++i) {
+      targets.push_back({random.uniform(0, 30), {random.normal(5), random.normal(5)}});
+      largest = std::max(largest, norm(targets.back().offset));
+    }
+    const Warp warp(targets, 7);
+    for (double x = -20; x < 50; x += 0.01) EXPECT_LE(norm(warp.at(x)), largest * (1 + 1e-12));
   });
 }
 
