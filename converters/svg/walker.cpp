@@ -11,8 +11,8 @@
 namespace libstyle::svg {
 namespace {
 
-// Elements within elements where `use` counts too; the tree itself has a limit of its own.
-constexpr std::size_t kDepthLimit = 2000;
+// Elements within elements where `use` and markers count too: at most 3 MB of stack.
+constexpr std::size_t kDepthLimit = 1200;
 
 bool is_finite(const Path& path, const Transform& map) {
   return std::ranges::all_of(path.points(), [&](Point p) { return libstyle::is_finite(map(p)); });

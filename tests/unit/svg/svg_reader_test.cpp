@@ -294,7 +294,7 @@ TEST(SvgReader, RefusesUsesThatNestWithoutEnd) {
     text += "<use id='l" + std::to_string(level) + "' href='#l" + std::to_string(level - 1) + "'/>";
   }
   EXPECT_THAT(read_error(text + "</defs><use href='#l5000'/></svg>"),
-              HasSubstr("deeper than 2000 levels"));
+              HasSubstr("deeper than 1200 levels"));
 }
 
 // --- What is not carried, and hostile numbers ---------------------------------------------------
