@@ -196,52 +196,42 @@ inline constexpr auto kFields<GradientStop> =
                Field{"stop-color", &GradientStop::color, ColorForm{}, Presence::kRequired},
                Field{"stop-opacity", &GradientStop::opacity, kOpacity}};
 
+// The way from an object to one coordinate of a point in it.
+template <typename T>
+struct Coordinate {
+  Point T::*point;
+  double Point::*coordinate;
+
+  double& operator()(T& object) const { return object.*point.*coordinate; }
+  const double& operator()(const T& object) const { return object.*point.*coordinate; }
+};
+
+template <typename T>
+constexpr Coordinate<T> x_of(Point T::*point) {
+  return {point, &Point::x};
+}
+
+template <typename T>
+constexpr Coordinate<T> y_of(Point T::*point) {
+  return {point, &Point::y};
+}
+
 template <>
 inline constexpr auto kFields<LinearGeometry> =
-    std::tuple{Field{"x1", [](auto& g) -> auto& {return g.start.x;
-}  // namespace libstyle::fields
-, NumberForm{}, Presence::kRequired
-}
-, Field{"y1", [](auto& g) -> auto& {return g.start.y;
-}
-, NumberForm{}, Presence::kRequired
-}
-, Field{"x2", [](auto& g) -> auto& {return g.end.x;
-}
-, NumberForm{}, Presence::kRequired
-}
-, Field {
-  "y2", [](auto& g) -> auto& { return g.end.y; }
-  , NumberForm{}, Presence::kRequired
-}
-}
-;
+    std::tuple{Field{"x1", x_of(&LinearGeometry::start), NumberForm{}, Presence::kRequired},
+               Field{"y1", y_of(&LinearGeometry::start), NumberForm{}, Presence::kRequired},
+               Field{"x2", x_of(&LinearGeometry::end), NumberForm{}, Presence::kRequired},
+               Field{"y2", y_of(&LinearGeometry::end), NumberForm{}, Presence::kRequired}};
 
 // The focus is at the center unless it says otherwise; see complete() in the reader.
 template <>
 inline constexpr auto kFields<RadialGeometry> =
-    std::tuple{Field{"cx", [](auto& g) -> auto& {return g.center.x;
-}
-, NumberForm{}, Presence::kRequired
-}
-, Field{"cy", [](auto& g) -> auto& {return g.center.y;
-}
-, NumberForm{}, Presence::kRequired
-}
-, Field{"r", &RadialGeometry::radius, NumberForm{0, 0}, Presence::kRequired},
-    Field{"fx", [](auto& g) -> auto& {return g.focus.x;
-}
-, NumberForm{}, Presence::kAlwaysWritten
-}
-, Field{"fy", [](auto& g) -> auto& {return g.focus.y;
-}
-, NumberForm{}, Presence::kAlwaysWritten
-}
-, Field {
-  "fr", &RadialGeometry::focus_radius, NumberForm { 0, 0 }
-}
-}
-;
+    std::tuple{Field{"cx", x_of(&RadialGeometry::center), NumberForm{}, Presence::kRequired},
+               Field{"cy", y_of(&RadialGeometry::center), NumberForm{}, Presence::kRequired},
+               Field{"r", &RadialGeometry::radius, NumberForm{0, 0}, Presence::kRequired},
+               Field{"fx", x_of(&RadialGeometry::focus), NumberForm{}, Presence::kAlwaysWritten},
+               Field{"fy", y_of(&RadialGeometry::focus), NumberForm{}, Presence::kAlwaysWritten},
+               Field{"fr", &RadialGeometry::focus_radius, NumberForm{0, 0}}};
 
 template <>
 inline constexpr auto kFields<GradientRecord> = std::tuple_cat(
