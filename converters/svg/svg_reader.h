@@ -15,10 +15,10 @@
 // 5. document_builder: the records.
 //
 // Carried: svg, g, a, switch, use, symbol, the basic shapes and path; transforms, viewBox, every
-// unit; style sheets; fill and stroke in full; gradients; markers; opacity; clip-path; ids, classes,
-// layers, labels and data-* attributes; what curves2svg carries along. What is hidden stays, as
-// hidden. Not carried, with one warning for each element: text, images, foreignObject, filters,
-// masks, patterns, animation, scripts.
+// unit; style sheets; fill and stroke in full; gradients; markers; opacity; clip-path; ids,
+// classes, layers, labels and data-* attributes; what curves2svg carries along. What is hidden
+// stays, as hidden. Not carried, with one warning for each element: text, images, foreignObject,
+// filters, masks, patterns, animation, scripts.
 //
 // Nothing outside the text is ever opened. Depth, repetition and size are limited (SvgLimits).
 #pragma once

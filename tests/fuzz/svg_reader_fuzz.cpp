@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes: the SVG reader ends in a document or an Error, soon, and what it gives can be written as
-// curves and read back the same.
+// Any bytes: the SVG reader ends in a document or an Error, soon, and what it gives can be written
+// as curves and read back the same.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
