@@ -2,6 +2,7 @@
 // curve-analogy: the curves of a drawing in the style of an example.
 #include "libstyle/analogy/curve_analogy.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,11 @@ struct Settings {
   std::string scale = "1";
   std::string invariance = "rotate";
   bool loose_ends = false;
+  std::string method = "chain";
+  bool faithful = false;
+  // Symbols of the paper; unset: as the method has them.
+  std::optional<double> levels, passes, neighborhood_samples, offset_weight, tangent_weight,
+      coarse_weight, coherence, epsilon, step;
   int threads = 0;
   CurveAnalogyParameters parameters;
 };
@@ -60,11 +66,44 @@ std::optional<double> parse_scale(std::string_view text) {
   return scale;
 }
 
+int whole_number(double value, const char* option) {
+  if (!(std::abs(value) < 1e6) || value != std::floor(value)) {
+    throw UsageError(std::string(option) + " is a whole number");
+  }
+  return static_cast<int>(value);
+}
+
+// The paper's symbols as they are printed or repaired, and as the user wants them.
+SearchParameters search_parameters(const Settings& settings) {
+  SearchParameters search;
+  if (settings.faithful) {
+    search = paper_parameters();
+    search.finest_spacing.reset();  // as fine as --samples says
+  }
+  const auto set = [](double& member, const std::optional<double>& value) {
+    if (value) member = *value;
+  };
+  set(search.offset_weight, settings.offset_weight);
+  set(search.tangent_weight, settings.tangent_weight);
+  set(search.coarse_weight, settings.coarse_weight);
+  set(search.coherence, settings.coherence);
+  set(search.epsilon, settings.epsilon);
+  set(search.step, settings.step);
+  if (settings.levels) search.levels = whole_number(*settings.levels, "--levels");
+  if (settings.passes) search.passes = whole_number(*settings.passes, "--passes");
+  if (settings.neighborhood_samples) {
+    search.neighborhood_samples = whole_number(*settings.neighborhood_samples, "--neighborhood");
+  }
+  return search;
+}
+
 CurveAnalogyParameters checked_parameters(const Settings& settings) {
   CurveAnalogyParameters parameters = settings.parameters;
   parameters.scale = parse_scale(settings.scale).value_or(1);
   parameters.keep_ends = !settings.loose_ends;
   if (settings.invariance == "translate") parameters.invariance = Invariance::kTranslate;
+  if (settings.method == "greedy" || settings.faithful) parameters.method = AnalogyMethod::kGreedy;
+  parameters.search = search_parameters(settings);
   try {
     validate(parameters);
   } catch (const Error& error) {
@@ -125,38 +164,57 @@ Command describe(Settings& settings) {
       .synopsis = {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
                    "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
                    "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg"},
-      .options = {{"--filtered", "FILE", "the example: lines drawn in the style (required)",
-                   &settings.filtered, HistoryUse::kFile},
-                  {"--unfiltered", "FILE", "the same lines, drawn plainly", &settings.unfiltered,
-                   HistoryUse::kFile},
-                  {"--seed", "N", "another number draws other lines in the same style", &p.seed},
-                  {"--scale", "FACTOR",
-                   "the size of the style: a factor, or auto to suit the drawing", &settings.scale},
-                  {"--invariance",
-                   "KIND",
-                   "whether the style turns with the lines: rotate or translate",
-                   &settings.invariance,
-                   HistoryUse::kRecorded,
-                   {"rotate", "translate"}},
-                  {"--shape-weight", "W",
-                   "how much the shape of a line decides what is drawn there", &p.shape_weight},
-                  {"--feature-size", "PX", "half the size of a feature of the example",
-                   &p.feature_size},
-                  {"--samples", "N", "how finely the example is cut", &p.samples},
-                  {"--mean-run", "N", "feature sizes copied from the example in one go",
-                   &p.mean_run},
-                  {"--smoothing", "N", "feature sizes over which lines lose their own detail",
-                   &p.smoothing},
-                  {"--smallest-scale", "FACTOR",
-                   "how small the style may get where there is no room", &p.smallest_scale},
-                  {"--corner-angle", "DEGREES", "lines that turn more sharply have a corner there",
-                   &p.corner_angle},
-                  {"--loose-ends", "", "do not hold the ends of lines in their places",
-                   &settings.loose_ends},
-                  {"--threads", "N", "how many threads work; 0: one a core", &settings.threads,
-                   HistoryUse::kLeftOut},
-                  {"--output,-o", "FILE", "write here rather than to stdout", &settings.output,
-                   HistoryUse::kLeftOut}},
+      .options =
+          {{"--filtered", "FILE", "the example: lines drawn in the style (required)",
+            &settings.filtered, HistoryUse::kFile},
+           {"--unfiltered", "FILE", "the same lines, drawn plainly", &settings.unfiltered,
+            HistoryUse::kFile},
+           {"--seed", "N", "another number draws other lines in the same style", &p.seed},
+           {"--scale", "FACTOR", "the size of the style: a factor, or auto to suit the drawing",
+            &settings.scale},
+           {"--invariance",
+            "KIND",
+            "whether the style turns with the lines: rotate or translate",
+            &settings.invariance,
+            HistoryUse::kRecorded,
+            {"rotate", "translate"}},
+           {"--shape-weight", "W", "how much the shape of a line decides what is drawn there",
+            &p.shape_weight},
+           {"--feature-size", "PX", "half the size of a feature of the example", &p.feature_size},
+           {"--samples", "N", "how finely the example is cut", &p.samples},
+           {"--mean-run", "N", "feature sizes copied from the example in one go", &p.mean_run},
+           {"--smoothing", "N", "feature sizes over which lines lose their own detail",
+            &p.smoothing},
+           {"--smallest-scale", "FACTOR", "how small the style may get where there is no room",
+            &p.smallest_scale},
+           {"--corner-angle", "DEGREES", "lines that turn more sharply have a corner there",
+            &p.corner_angle},
+           {"--loose-ends", "", "do not hold the ends of lines in their places",
+            &settings.loose_ends},
+           {"--method",
+            "KIND",
+            "chain, or greedy: the paper's search, repaired",
+            &settings.method,
+            HistoryUse::kRecorded,
+            {"chain", "greedy"}},
+           {"--faithful", "", "greedy as the paper prints it, but for its misprints",
+            &settings.faithful},
+           {"--levels", "N", "of the pyramid (greedy)", &settings.levels},
+           {"--passes", "N", "refinements of each level (greedy)", &settings.passes},
+           {"--neighborhood", "N", "samples of a neighborhood, odd (greedy)",
+            &settings.neighborhood_samples},
+           {"--w-offset", "W", "weight of the offset from the line (greedy)",
+            &settings.offset_weight},
+           {"--w-delta", "W", "weight of tangents (greedy)", &settings.tangent_weight},
+           {"--w-coarse", "W", "weight of the level above (greedy)", &settings.coarse_weight},
+           {"--kappa", "K", "what it costs to leave a copied piece (greedy)", &settings.coherence},
+           {"--epsilon", "E", "how much worse than the best may be chosen (greedy)",
+            &settings.epsilon},
+           {"--delta-t", "N", "spacings in a step of the first pass (greedy)", &settings.step},
+           {"--threads", "N", "how many threads work; 0: one a core", &settings.threads,
+            HistoryUse::kLeftOut},
+           {"--output,-o", "FILE", "write here rather than to stdout", &settings.output,
+            HistoryUse::kLeftOut}},
       .inputs = &settings.inputs,
       .run = [&settings](Session& session) { run(settings, session); }};
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/line_search.h"
 #include "libstyle/analogy/plain_lines.h"
 #include "libstyle/analogy/shape_costs.h"
 #include "libstyle/analogy/style_grid.h"
@@ -119,7 +120,9 @@ class CurveAnalogy::Implementation {
       : parameters_((validate(parameters), parameters)),
         example_(pairs, parameters),
         jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)),
-        held_costs_(example_) {}
+        held_costs_(example_) {
+    if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
+  }
 
   StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held) const;
 
@@ -145,6 +148,7 @@ class CurveAnalogy::Implementation {
   Example example_;
   JumpModel jumps_;
   HeldCosts held_costs_;
+  std::optional<LineSearch> search_;
 };
 
 StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place,
@@ -201,6 +205,12 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
   }
   std::vector<double> held;
   if (parameters_.keep_ends) held = held_coordinates(grid, !line.closed, held_lengths);
+  if (search_) {
+    for (double& place : held) place = grid.length_at(place);
+    const double scale = grid.line_scale();
+    LineSearch::Result drawn = search_->draw(line, scale, held, random.bits(part) >> 16);
+    return {std::move(drawn.line), std::move(drawn.runs), scale * grid.length()};
+  }
   const double blur = grid.line_scale() * example_.feature_along();
   const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
   const std::vector<ChainState> walk =

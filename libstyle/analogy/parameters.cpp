@@ -36,6 +36,7 @@ void validate(const CurveAnalogyParameters& p) {
           "more than 0, at most 1");
   require(p.corner_angle > 0 && p.corner_angle <= 180, "corner_angle", p.corner_angle,
           "more than 0, at most 180 degrees");
+  validate(p.search);
 }
 
 }  // namespace libstyle

@@ -6,12 +6,20 @@
 #include <cstdint>
 #include <optional>
 
+#include "libstyle/analogy/greedy/search_parameters.h"
+
 namespace libstyle {
 
 // What a piece of the example may undergo on its way into the drawing.
 enum class Invariance : std::uint8_t {
   kRotate,    // it is turned along with the line: the style is the same in every direction
   kTranslate  // it keeps its direction on the page: horizontal and vertical lines differ
+};
+
+// How a line is drawn.
+enum class AnalogyMethod : std::uint8_t {
+  kChain,  // all of it at once, as a walk over pieces of the example (chain.h)
+  kGreedy  // vertex by vertex from coarse to fine, as in the paper (greedy/greedy_search.h)
 };
 
 struct CurveAnalogyParameters {
@@ -59,6 +67,14 @@ struct CurveAnalogyParameters {
 
   // Whether open lines keep their end points exactly, so that lines that met still meet.
   bool keep_ends = true;
+
+  // The paper's own method is there for comparison; what is said above about runs does not concern
+  // it.
+  AnalogyMethod method = AnalogyMethod::kChain;
+
+  // The symbols of the paper's method. Seed, rotation, shape weight and samples are taken from
+  // above. paper_parameters() makes it faithful to the print.
+  SearchParameters search;
 };
 
 // Throws Error naming the first member that is out of range, and the range.

@@ -56,3 +56,16 @@ command_case(curve-analogy/examples-that-do-not-match
 command_case(curve-analogy/cut-stream
   RUN "curve-analogy --filtered styles/wavy.svg -o $OUT/a broken/cut.curves; test $? = 1 && test $(ls $OUT | wc -l) = 0"
   STDERR "~curve-analogy: broken/cut.curves:3: .*")
+command_case(curve-analogy/greedy-on-one-thread-or-three
+  RUN "curve-analogy --filtered styles/wavy.svg --method greedy --samples 300 --threads 1 drawings/plan.svg"
+  SAME "curve-analogy --filtered styles/wavy.svg --method greedy --samples 300 --threads 3 drawings/plan.svg")
+command_case(curve-analogy/faithful-differs-from-greedy
+  RUN [[curve-analogy --filtered styles/wavy.svg --method greedy --samples 300 drawings/plan.svg | tail -n +2 > $OUT/1
+        curve-analogy --filtered styles/wavy.svg --faithful --levels 4 --samples 300 drawings/plan.svg | tail -n +2 > $OUT/2
+        ! cmp -s $OUT/1 $OUT/2]])
+command_case(curve-analogy/symbols-out-of-range
+  RUN "curve-analogy --filtered styles/wavy.svg --method greedy --w-offset -1 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: .*offset_weight is -1; give more than 0.*")
+command_case(curve-analogy/levels-are-whole
+  RUN "curve-analogy --filtered styles/wavy.svg --method greedy --levels 2.5 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --levels is a whole number.*")

@@ -10,8 +10,6 @@
 namespace libstyle {
 namespace {
 
-constexpr double kShortestStep = 0.5, kLongestStep = 1.5;  // as in the search
-
 // A place of an example curve, as lengths along it at both levels.
 struct Trace {
   std::size_t curve = 0;
@@ -39,16 +37,6 @@ class Levels {
 
   Trace trace(std::size_t coarse_place) const {
     return {coarse_.curve_of(coarse_place), coarse_.length_of(coarse_place)};
-  }
-
-  // The copied length from one vertex to the next, if they continue one piece.
-  std::optional<double> copied_length(std::size_t from, std::size_t to, double drawn) const {
-    const std::optional<double> length = coarse_.length_between(from, to);
-    if (!length || *length < kShortestStep * drawn || *length > kLongestStep * drawn ||
-        *length <= 0) {
-      return std::nullopt;
-    }
-    return length;
   }
 
   // The length of the fine curve over that of the coarse one, from a place on.
@@ -87,7 +75,8 @@ struct Piece {
   Trace end_trace(double u) const { return {to_end.curve, to_end.coarse + u * copied}; }
 };
 
-Piece make_piece(const Levels& levels, const DrawnLevel& drawn, std::size_t segment) {
+Piece make_piece(const Levels& levels, const LevelExample& coarse, const DrawnLevel& drawn,
+                 std::size_t segment) {
   const Polyline& line = drawn.curve.polyline;
   const std::size_t next = segment_end_index(line, segment);
   Piece piece;
@@ -99,7 +88,7 @@ Piece make_piece(const Levels& levels, const DrawnLevel& drawn, std::size_t segm
   piece.rotation_end = drawn.rotations[next];
   piece.from_start = levels.trace(drawn.sources[segment]);
   const double chord = distance(piece.start, piece.end);
-  const auto copied = levels.copied_length(drawn.sources[segment], drawn.sources[next], chord);
+  const auto copied = coarse.copied_length(drawn.sources[segment], drawn.sources[next], chord);
   piece.copied = copied.value_or(chord);
   if (copied) {
     piece.to_end = piece.from_start;
@@ -159,7 +148,7 @@ DrawnLevel transfer_detail(const LevelExample& coarse, const LevelExample& fine,
   std::vector<Piece> pieces;
   std::vector<double> begins = {0};
   for (std::size_t i = 0; i < segment_count(drawn.curve.polyline); ++i) {
-    pieces.push_back(make_piece(levels, drawn, i));
+    pieces.push_back(make_piece(levels, coarse, drawn, i));
     begins.push_back(begins.back() + pieces.back().length);
   }
   const std::vector<Stop> stops = find_stops(pieces, kept, begins.back());

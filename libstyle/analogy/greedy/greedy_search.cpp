@@ -317,8 +317,13 @@ SearchedCurve GreedySearch::Implementation::finish(const DrawnLevel& drawn, cons
     }
   }
   const LevelExample& finest = examples_.back();
-  for (const std::size_t j : drawn.sources) {
-    result.sources.push_back({finest.curve_of(j), finest.length_of(j) / unit()});
+  for (std::size_t i = 0; i < drawn.sources.size(); ++i) {
+    const std::size_t j = drawn.sources[i];
+    const std::vector<Point>& points = drawn.curve.polyline.points;
+    const bool continues =
+        i > 0 && finest.copied_length(drawn.sources[i - 1], j, distance(points[i - 1], points[i]));
+    result.sources.push_back(
+        {finest.curve_of(j), finest.length_of(j) / unit(), finest.parameter_of(j), continues});
   }
   return result;
 }

@@ -55,10 +55,12 @@ struct SearchExample {
 
 struct SearchedCurve {
   SampledCurve curve;  // B', with the parameter of B
-  // Where each vertex was copied from: which example, and the length along its filtered curve.
+  // Where each vertex was copied from.
   struct Source {
     std::size_t example = 0;
-    double length = 0;
+    double length = 0;       // px along the filtered curve
+    double t = 0;            // the parameter there
+    bool continues = false;  // the piece that the vertex before was copied from
   };
   std::vector<Source> sources;
 };

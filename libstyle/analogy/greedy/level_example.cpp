@@ -93,6 +93,14 @@ std::optional<double> LevelExample::length_between(std::size_t from, std::size_t
   return length - along.total() * std::round(length / along.total());
 }
 
+std::optional<double> LevelExample::copied_length(std::size_t from, std::size_t to,
+                                                  double drawn) const {
+  const std::optional<double> length = length_between(from, to);
+  const bool copied =
+      length && *length > 0 && *length >= kShortestCopy * drawn && *length <= kLongestCopy * drawn;
+  return copied ? length : std::nullopt;
+}
+
 bool LevelExample::is_near_end(std::size_t j, bool backward) const {
   const ArcLength& along = along_[curve_of(j)];
   if (along.polyline().closed) return false;

@@ -25,6 +25,9 @@ struct ExampleCurves {
   std::vector<SampledCurve> sources;  // A_l, A'_(l-1): those there are
 };
 
+// Steps of the example and of the drawn curve that differ by less are one copy.
+inline constexpr double kShortestCopy = 0.5, kLongestCopy = 1.5;
+
 class LevelExample {
  public:
   // How long an example curve has to be at a level.
@@ -59,6 +62,9 @@ class LevelExample {
   // The length along the example from one place on to another; negative if it lies behind, nothing
   // if no piece of the example leads there.
   std::optional<double> length_between(std::size_t from, std::size_t to) const;
+  // The length of the example from one place on to another if a drawn step of that length continues
+  // a copied piece: ahead, and half to one and a half times as long.
+  std::optional<double> copied_length(std::size_t from, std::size_t to, double drawn) const;
   // Whether place j is so near the end (or, for those who go backwards, the beginning) of its curve
   // that a copy cannot go on for half a neighborhood.
   bool is_near_end(std::size_t j, bool backward) const;

@@ -14,8 +14,6 @@ namespace libstyle {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Steps of the example and of the drawn curve that differ by less than this factor are one copy.
-constexpr double kShortestStep = 0.5, kLongestStep = 1.5;
 // Closed forms are this exact, of the sum of squares.
 constexpr double kRounding = 1e-12;
 
@@ -393,13 +391,9 @@ LevelSearch::Candidate LevelSearch::evaluate(const Query& query, std::size_t j, 
 
 bool LevelSearch::is_coherent(const Query& query, std::size_t j, Point p) const {
   return std::ranges::any_of(query.neighbors, [&](const Neighbor& neighbor) {
-    if (neighbor.source == kNoPlace) return false;
-    const auto ahead = example_.length_between(neighbor.source, j);
-    if (!ahead) return false;
-    const double on_example = neighbor.before ? *ahead : -*ahead;
-    const double on_drawn = distance(neighbor.position, p);
-    return on_example > 0 && on_example >= kShortestStep * on_drawn &&
-           on_example <= kLongestStep * on_drawn;
+    const std::size_t from = neighbor.before ? neighbor.source : j;
+    const std::size_t to = neighbor.before ? j : neighbor.source;
+    return example_.copied_length(from, to, distance(neighbor.position, p)).has_value();
   });
 }
 
@@ -429,7 +423,7 @@ bool LevelSearch::could_be_coherent(const Query& query, std::size_t j, double re
     const auto ahead = example_.length_between(neighbor.source, j);
     if (!ahead) return false;
     const double on_example = neighbor.before ? *ahead : -*ahead;
-    return on_example > 0 && on_example <= kLongestStep * reach;
+    return on_example > 0 && on_example <= kLongestCopy * reach;
   });
 }
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/line_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libstyle/geometry/arc_length.h"
+
+namespace libstyle {
+namespace {
+
+constexpr double kAllButAnEnd = 1e-9;  // of the length
+
+// Both curves as functions of the length along the unfiltered one.
+SearchExample search_example(const ExampleLine& line) {
+  SampledCurve unfiltered, filtered;
+  for (const ExampleLine::Sample& sample : line.samples()) {
+    const Point place = line.sweep().point_at(sample.length);
+    const double t = sample.length / line.length();
+    unfiltered.polyline.points.push_back(place);
+    unfiltered.t.push_back(t);
+    filtered.polyline.points.push_back(
+        place + to_page(sample.offset, line.sweep().frame_at(sample.length)));
+    filtered.t.push_back(t);
+  }
+  return {unfiltered, filtered};
+}
+
+std::vector<SearchExample> search_examples(const Example& example) {
+  std::vector<SearchExample> result;
+  for (const ExampleLine& line : example.lines()) result.push_back(search_example(line));
+  return result;
+}
+
+// What both methods have in common is set in one place.
+SearchParameters search_parameters(const CurveAnalogyParameters& parameters) {
+  SearchParameters search = parameters.search;
+  search.seed = parameters.seed;
+  search.rotate = parameters.invariance == Invariance::kRotate;
+  search.shape_weight = parameters.shape_weight;
+  search.samples = parameters.samples;
+  return search;
+}
+
+SampledCurve scaled(SampledCurve curve, double factor) {
+  for (Point& p : curve.polyline.points) p *= factor;
+  return curve;
+}
+
+// Hard constraints for the line to be where it is; what all but is an end is the end.
+std::vector<CurveConstraint> held_places(const ArcLength& along, std::span<const double> held) {
+  const Polyline& line = along.polyline();
+  std::vector<CurveConstraint> result;
+  for (const double length : held) {
+    const double t = length / along.total();
+    if (t < kAllButAnEnd) {
+      result.push_back({0, line.points.front(), {}});
+    } else if (t > 1 - kAllButAnEnd) {
+      result.push_back(line.closed ? CurveConstraint{0, line.points.front(), {}}
+                                   : CurveConstraint{1, line.points.back(), {}});
+    } else {
+      result.push_back({t, along.point_at(length), {}});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+LineSearch::LineSearch(const Example& example, const CurveAnalogyParameters& parameters)
+    : example_(example), search_(search_examples(example), search_parameters(parameters)) {
+  for (std::size_t j = 0; j < example.state_count(); ++j) {
+    if (j == 0 || example.line_of(j) != example.line_of(j - 1)) first_states_.push_back(j);
+  }
+}
+
+LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
+                                    std::span<const double> held, std::uint64_t place) const {
+  const ArcLength along(line);
+  std::vector<CurveConstraint> constraints = held_places(along, held);
+  for (CurveConstraint& constraint : constraints) constraint.position *= 1 / scale;
+  const SearchedCurve drawn =
+      search_.draw(scaled(with_length_parameter(line), 1 / scale), constraints, place);
+
+  Result result{{scaled(drawn.curve, scale).polyline, {}}, find_runs(drawn)};
+  for (const double t : drawn.curve.t) result.line.lengths.push_back(t * along.total());
+  // Scaling there and back rounds.
+  for (const CurveConstraint& constraint : held_places(along, held)) {
+    const auto at = std::ranges::lower_bound(drawn.curve.t, constraint.t);
+    result.line.curve.points[static_cast<std::size_t>(at - drawn.curve.t.begin())] =
+        constraint.position;
+  }
+  return result;
+}
+
+ChainState LineSearch::state_of(const SearchedCurve::Source& source) const {
+  const double steps = source.t * example_.lines()[source.example].length() / example_.step();
+  const std::size_t first = first_states_[source.example];
+  const std::size_t end = source.example + 1 < first_states_.size()
+                              ? first_states_[source.example + 1]
+                              : example_.state_count();
+  return static_cast<ChainState>(
+      std::min(first + static_cast<std::size_t>(std::max(0.0, steps)), end - 1));
+}
+
+// A step of the line for every step that a copied piece takes on the example.
+std::vector<ChainRun> LineSearch::find_runs(const SearchedCurve& drawn) const {
+  std::vector<ChainRun> runs;
+  std::size_t steps = 0;
+  for (std::size_t i = 0; i < drawn.sources.size(); ++i) {
+    const SearchedCurve::Source& source = drawn.sources[i];
+    const ChainState state = state_of(source);
+    const bool goes_on = !runs.empty() && source.continues;
+    if (!goes_on) {
+      runs.push_back({steps, 0, state});
+    }
+    const ChainState next = runs.back().origin + static_cast<ChainState>(runs.back().steps);
+    const std::size_t more = state >= next ? state - next + 1 : (goes_on ? 0 : 1);
+    runs.back().steps += more;
+    steps += more;
+  }
+  return runs;
+}
+
+}  // namespace libstyle
