@@ -314,12 +314,12 @@ void warn_if_small(std::span<const PathMeasure> measures, const WarningHandler& 
     small += measure.small_length;
   }
   if (!warn || !(small > length / 2)) return;
-  std::string share;
-  append_number(share, std::round(100 * small / length));
-  warn({{},
-        "",
-        "the style is large for this drawing: " + share +
-            " % of the lines have it at less than half its size; draw it at a smaller scale"});
+  Warning warning;
+  warning.message = "the style is large for this drawing: ";
+  append_number(warning.message, std::round(100 * small / length));
+  warning.message +=
+      " % of the lines have it at less than half its size; draw it at a smaller scale";
+  warn(warning);
 }
 
 }  // namespace
