@@ -137,7 +137,8 @@ TEST(Command, ClosedPipeIsAQuietSuccess) {
 TEST(Session, CountsWarningsAndNamesPlaceAndId) {
   Session session("sample", "", false);
   CaptureStderr();
-  session.warning_handler()({{"a.svg", 12}, "rock", "filters are not carried"});
+  const Warning warning = {{"a.svg", 12}, "rock", "filters are not carried"};
+  session.warning_handler()(warning);
   EXPECT_EQ(GetCapturedStderr(), "sample: a.svg:12: warning: #rock: filters are not carried\n");
   EXPECT_EQ(session.warning_count(), 1u);
 }
