@@ -49,11 +49,8 @@ std::vector<ExamplePair> read_pairs(const Settings& settings, Session& session) 
   const Document filtered = read_example(settings.filtered, session);
   std::optional<Document> unfiltered;
   if (!settings.unfiltered.empty()) unfiltered = read_example(settings.unfiltered, session);
-  try {
-    return example_pairs(unfiltered ? &*unfiltered : nullptr, filtered);
-  } catch (const Error& error) {
-    throw Error({display_name(settings.filtered)}, error.what());
-  }
+  return at_place({display_name(settings.filtered)},
+                  [&] { return example_pairs(unfiltered ? &*unfiltered : nullptr, filtered); });
 }
 
 // Unset: as the drawing needs it.

@@ -46,7 +46,9 @@ struct Canvas {
   Box window;  // of the device; nothing outside it is seen
   const ReferenceIndex& index;
   const WarningHandler& warn;
+  bool is_raster = true;              // whether what is drawn becomes pixels
   std::size_t clip_parts_drawn = 0;   // for one use of a clip, see clip.cpp
+  double edge_pairs = 0;              // of all that was drawn, see crowding.h
   std::vector<double> layer_bytes{};  // of the layers that are open, see layer.cpp
 
   void warn_about(const RecordBase& record, const std::string& message) const {

@@ -15,20 +15,23 @@ namespace {
 class Painter {
  public:
   Painter(cairo_t* context, const Document& document, const Transform& device_from_page,
-          const WarningHandler& warn)
+          const std::string& file, const WarningHandler& warn)
       : document_(document),
+        file_(file),
         index_(document),
         ink_(ink_boxes(document)),
-        canvas_{context, device_from_page, window_of(context), index_, warn} {}
+        canvas_{context, device_from_page, window_of(context), index_, warn, is_raster(context)} {}
 
   void draw() {
     for (std::size_t i = 0; i < document_.records.size(); ++i) {
       const auto* path = std::get_if<PathRecord>(&document_.records[i]);
       if (!path || ink_[i].empty()) continue;
-      enter(container_of(*path, i));
-      if (hidden_depth_ == 0) draw_path(canvas_, *path, ink_[i]);
+      at_place({file_, path->line}, [&] {
+        enter(container_of(*path, i));
+        if (hidden_depth_ == 0) draw_path(canvas_, *path, ink_[i]);
+      });
     }
-    enter(ReferenceIndex::kNone);
+    at_place({file_, document_.header.line}, [&] { enter(ReferenceIndex::kNone); });
   }
 
  private:
@@ -44,6 +47,10 @@ class Painter {
     double left = 0, top = 0, right = 0, bottom = 0;
     cairo_clip_extents(context, &left, &top, &right, &bottom);
     return {{left, top}, {right, bottom}};
+  }
+
+  static bool is_raster(cairo_t* context) {
+    return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
   }
 
   std::size_t container_of(const RecordBase& record, std::size_t place) const {
@@ -105,6 +112,7 @@ class Painter {
   }
 
   const Document& document_;
+  const std::string& file_;
   const ReferenceIndex index_;
   const std::vector<Box> ink_;
   Canvas canvas_;
@@ -115,8 +123,8 @@ class Painter {
 }  // namespace
 
 void draw_document(cairo_t* context, const Document& document, const Transform& device_from_page,
-                   const WarningHandler& warn) {
-  Painter(context, document, device_from_page, warn).draw();
+                   const std::string& file, const WarningHandler& warn) {
+  Painter(context, document, device_from_page, file, warn).draw();
 }
 
 }  // namespace libstyle

@@ -8,15 +8,18 @@
 
 #include <cairo.h>
 
+#include <string>
+
 #include "libstyle/base/warning.h"
 #include "libstyle/curves/document.h"
 
 namespace libstyle {
 
 // `context` has the identity as its matrix. What is drawn lies within its present clip. Warnings
-// carry the line of their record; references to nothing are warned about and ignored. Throws Error
-// when groups or clips nest too deep, or Cairo fails.
+// carry the line of their record; references to nothing are warned about and ignored. Throws Error,
+// with `file` and the line of the record, when groups or clips nest too deep, a path would take
+// Cairo minutes (crowding.h), or Cairo fails.
 void draw_document(cairo_t* context, const Document& document, const Transform& device_from_page,
-                   const WarningHandler& warn);
+                   const std::string& file, const WarningHandler& warn);
 
 }  // namespace libstyle

@@ -37,16 +37,6 @@ CairoSurface make_image(const Viewport& viewport) {
   return image;
 }
 
-// Does some work on a document, and says of an error where that document is.
-template <typename Work>
-auto at_place(const Place& place, Work work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    throw Error(place, error.what());
-  }
-}
-
 }  // namespace
 
 std::optional<PictureFormat> picture_format(std::string_view file_name) {
@@ -137,9 +127,8 @@ class Picture::Implementation {
                             color.blue / 255.0, color.alpha / 255.0);
       cairo_paint(context.get());
     }
-    at_place(place_, [&] {
-      draw_document(context.get(), document, device_from_page, [&](const Warning& w) { warn(w); });
-    });
+    draw_document(context.get(), document, device_from_page, place_.file,
+                  [&](const Warning& w) { warn(w); });
     if (failure_) std::rethrow_exception(failure_);
     at_place(place_, [&] { check_cairo(cairo_status(context.get()), "drawing"); });
   }

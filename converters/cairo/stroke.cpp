@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "converters/cairo/crowding.h"
 #include "converters/cairo/dash_pattern.h"
 #include "converters/cairo/ink.h"
 #include "converters/cairo/paint_source.h"
@@ -136,6 +137,7 @@ void stroke_path(Canvas& canvas, const PathRecord& record, const Paint& paint, d
   const auto pen = make_pen(canvas, record);
   if (!pen || record.style.stroke_width <= 0) return;
   cairo_t* context = canvas.context;
+  count_edges(canvas, record.path, canvas.device_from_page, 2);
   set_style(context, record.style, *pen);
   const auto stroke_run = [&](const Path& path, const Transform& device_from_path, double start) {
     const double length = pen_length(path, pen->pen_from_device * device_from_path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/cairo/trace.h"
 
+#include "converters/cairo/crowding.h"
 #include "converters/cairo/safe_path.h"
 
 namespace libstyle {
@@ -29,7 +30,8 @@ void trace_path(cairo_t* context, const Path& path, const Transform& device_from
   }
 }
 
-void trace_fill(const Canvas& canvas, const Path& path) {
+void trace_fill(Canvas& canvas, const Path& path) {
+  count_edges(canvas, path, canvas.device_from_page, 1);
   const Box box = transformed(path.control_box(), canvas.device_from_page);
   if (box.empty() || is_near(box, canvas.window)) {
     trace_path(canvas.context, path, canvas.device_from_page);

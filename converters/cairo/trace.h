@@ -11,7 +11,7 @@ namespace libstyle {
 void trace_path(cairo_t* context, const Path& path, const Transform& device_from_path);
 
 // Adds the outline of an inside: cut to the window when it reaches far beyond it.
-void trace_fill(const Canvas& canvas, const Path& path);
+void trace_fill(Canvas& canvas, const Path& path);
 
 inline cairo_fill_rule_t to_cairo(FillRule rule) {
   return rule == FillRule::kEvenOdd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING;

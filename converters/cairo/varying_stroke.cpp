@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "converters/cairo/crowding.h"
 #include "converters/cairo/handles.h"
 #include "converters/cairo/paint_source.h"
 #include "converters/cairo/ribbon.h"
@@ -226,6 +227,7 @@ bool varies_along(const PathRecord& record) {
 
 void draw_varying_stroke(Canvas& canvas, const PathRecord& record, const Paint& paint,
                          double opacity) {
+  count_edges(canvas, record.path, canvas.device_from_page, 2);
   const double scale = std::sqrt(std::abs(canvas.device_from_page.determinant()));
   const auto ribbons = cut_dashes(make_ribbons(record, canvas.device_from_page),
                                   make_dash_pattern(record.style, 0, scale));

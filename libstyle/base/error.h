@@ -25,4 +25,14 @@ class Error : public std::runtime_error {
   Error(const Place& place, const std::string& message);
 };
 
+// Does some work, and says of an Error in it where that was.
+template <typename Work>
+auto at_place(const Place& place, Work work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(place, error.what());
+  }
+}
+
 }  // namespace libstyle

@@ -44,6 +44,11 @@ command_case(render/output-must-say-its-format
   RUN "render -o $OUT/plan.jpg drawings/plan.svg" EXIT 2 STDERR "~render: --output: .* --format; see render --help")
 command_case(render/picture-too-large
   RUN "render -w 1e9 drawings/plan.svg" EXIT 1 STDERR "~render: drawings/plan.svg: the picture is too large for PNG.*")
+command_case(render/scribble-of-a-million-lines
+  RUN [[awk 'BEGIN { srand(1); printf "{\"curves\":1,\"width\":200,\"height\":200}\n{\"type\":\"path\",\"fill\":\"#000000\",\"d\":\"M0 0"
+              for (i = 0; i < 1000000; ++i) printf " L%d %d", 200 * rand(), 200 * rand()
+              print "\"}" }' | render -o $OUT/a.png; test $? = 1 && test $(ls $OUT | wc -l) = 0]]
+  STDERR "~render: stdin:2: so many lines side by side would take minutes to draw as PNG; .*")
 command_case(render/coordinates-beyond-all-bounds
   RUN "svg2curves --quiet broken/huge-coordinates.svg | render --quiet -o $OUT/a.png && head -c 4 $OUT/a.png | od -An -tx1 | tr -d ' '" SAME "echo 89504e47")
 command_case(render/closed-pipe-is-quiet
