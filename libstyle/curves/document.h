@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -226,6 +227,10 @@ using Record =
     std::variant<PathRecord, GroupRecord, GradientRecord, ClipRecord, ElementRecord,
                  ConstraintRecord, AdjustmentRecord, LabelRecord, SeedRecord, UnknownRecord>;
 
+// In paint order. Records stay where they are while others are added: they are large, so moving
+// them to make room would cost a third of the time of reading small paths.
+using Records = std::deque<Record>;
+
 struct Header {
   std::string name;              // file stem of the first input; names outputs
   std::optional<double> width;   // px; unset: as large as what is drawn
@@ -245,7 +250,7 @@ struct Header {
 
 struct Document {
   Header header;
-  std::vector<Record> records;
+  Records records;
 
   friend bool operator==(const Document&, const Document&) = default;
 };

@@ -18,26 +18,25 @@ using fields::ObjectReader;
 // A type of record by its name, and how one is read onto the end of a document.
 struct KnownType {
   std::string_view name;
-  void (*read)(ObjectReader& reader, Object& object, std::size_t line,
-               std::vector<Record>& records);
+  void (*read)(ObjectReader& reader, Object& object, std::size_t line, Records& records);
 };
 
 constexpr std::size_t kKnownTypeCount = std::variant_size_v<Record> - 1;
 static_assert(std::is_same_v<std::variant_alternative_t<kKnownTypeCount, Record>, UnknownRecord>);
 
 constexpr auto kKnownTypes = []<std::size_t... I>(std::index_sequence<I...>) {
-  return std::array<KnownType, sizeof...(I)>{KnownType{
-      std::variant_alternative_t<I, Record>::kType,
-      [](ObjectReader& reader, Object& object, std::size_t line, std::vector<Record>& records) {
-        auto& record = std::get<I>(records.emplace_back(std::in_place_index<I>));
-        record.line = line;
-        reader.read_object(object, record);
-      }}...};
+  return std::array<KnownType, sizeof...(I)>{
+      KnownType{std::variant_alternative_t<I, Record>::kType,
+                [](ObjectReader& reader, Object& object, std::size_t line, Records& records) {
+                  auto& record = std::get<I>(records.emplace_back(std::in_place_index<I>));
+                  record.line = line;
+                  reader.read_object(object, record);
+                }}...};
 }
 (std::make_index_sequence<kKnownTypeCount>());
 
-// Throws at the first id that an earlier record has already. At the end of a document rather than
-// record by record: the records do not move any more, so the ids need no copies.
+// Throws at the first id that an earlier record has already. At the end of a document, when the
+// table can be made at its full size.
 void check_unique_ids(const Document& document, const std::string& name) {
   std::unordered_map<std::string_view, std::size_t> line_of_id;
   line_of_id.reserve(document.records.size());
@@ -106,7 +105,7 @@ class Reader::Implementation {
 
  private:
   // Reads a line that is not blank into next_header_ or onto `records`. False at the end.
-  bool take_line(std::vector<Record>& records) {
+  bool take_line(Records& records) {
     Line line;
     try {
       do {
@@ -122,7 +121,7 @@ class Reader::Implementation {
     return true;
   }
 
-  void parse_line(const Line& line, std::vector<Record>& records) {
+  void parse_line(const Line& line, Records& records) {
     json::ondemand::document document;
     json::check(
         parser_.iterate(line.text.data(), line.text.size(), line.text.size() + LineReader::kPadding)
@@ -147,7 +146,7 @@ class Reader::Implementation {
     require_end(document);
   }
 
-  void check_room(const std::vector<Record>& records) const {
+  void check_room(const Records& records) const {
     if (!in_document_) {
       throw Error("a record before any header; a document begins with {\"curves\":1}");
     }

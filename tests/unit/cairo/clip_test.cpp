@@ -77,7 +77,7 @@ TEST(DrawClip, ReferencesForwardMakeNoCycle) {
 
 // Ten parts within ten parts within ...: 10^40 without a limit.
 TEST(DrawClip, ClipsThatMultiplyAreAnError) {
-  std::vector<Record> records;
+  Records records;
   for (int level = 0; level < 40; ++level) {
     ClipRecord record =
         clip(std::to_string(level), std::vector<ClipPart>(10, part("M0 0 L9 0 L9 9 Z")));

@@ -9,7 +9,7 @@
 
 namespace libstyle {
 
-Document make_page(std::vector<Record> records) {
+Document make_page(Records records) {
   Document document;
   document.header.width = 100;
   document.header.height = 100;

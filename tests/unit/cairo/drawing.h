@@ -17,7 +17,7 @@ constexpr Color kRed = {255, 0, 0};
 constexpr Color kBlue = {0, 0, 255};
 
 // A page of 100 x 100 px.
-Document make_page(std::vector<Record> records = {});
+Document make_page(Records records = {});
 
 PathRecord filled(std::string_view data, Color color = kBlack);
 PathRecord stroked(std::string_view data, double width, Color color = kBlack);

@@ -69,8 +69,8 @@ TEST(DrawGroup, AMissingGroupIsWarnedAboutAndIgnored) {
   EXPECT_THAT(warnings[0].message, ::testing::HasSubstr("\"nowhere\""));
 }
 
-std::vector<Record> nest(int depth, double opacity) {
-  std::vector<Record> records;
+Records nest(int depth, double opacity) {
+  Records records;
   for (int i = 0; i < depth; ++i) {
     records.push_back(in(i == 0 ? "" : std::to_string(i - 1), group(std::to_string(i), opacity)));
   }

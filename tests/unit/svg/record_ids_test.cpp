@@ -13,7 +13,7 @@ T with_id(const std::string& id) {
   return record;
 }
 
-Document document_of(std::vector<Record> records) { return {{}, std::move(records)}; }
+Document document_of(Records records) { return {{}, std::move(records)}; }
 
 TEST(RecordIds, KeepsGivenIds) {
   const Document document = document_of({with_id<PathRecord>("a (1)"), with_id<GroupRecord>("b")});

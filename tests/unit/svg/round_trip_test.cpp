@@ -63,7 +63,7 @@ class MadeIds {
   std::map<std::string, std::string> names_;
 };
 
-std::vector<Record> settled(std::vector<Record> records) {
+Records settled(Records records) {
   MadeIds ids;
   for (Record& record : records) ids.settle(record);
   return records;

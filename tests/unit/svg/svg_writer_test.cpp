@@ -36,7 +36,7 @@ Written write(const Document& document) {
 }
 
 // What is written for records, without the first line and the last.
-std::string body(std::vector<Record> records) {
+std::string body(Records records) {
   const Written written = write({{}, std::move(records)});
   EXPECT_TRUE(written.warnings.empty()) << written.warnings.front();
   const std::size_t begin = written.text.find('\n') + 1;
@@ -274,7 +274,7 @@ TEST(SvgWriter, CarriesWhatDrawsNothingInMetadata) {
       tree.child("svg").child("metadata").child(kCarriedRecords).text().get());
   ASSERT_TRUE(carried);
   constraint.curve = label.of = "a-1";  // the id that the second path has in the SVG
-  EXPECT_EQ(carried->records, (std::vector<Record>{constraint, label, unknown}));
+  EXPECT_EQ(carried->records, (Records{constraint, label, unknown}));
 }
 
 TEST(SvgWriter, SaysWhatIsNotThere) {
