@@ -8,19 +8,6 @@ namespace {
 
 const std::string kNone;
 
-// What is common to a record of known type, or null.
-const RecordBase* base_of(const Record& record) {
-  return std::visit(
-      [](const auto& known) -> const RecordBase* {
-        if constexpr (std::is_base_of_v<RecordBase, std::decay_t<decltype(known)>>) {
-          return &known;
-        } else {
-          return nullptr;
-        }
-      },
-      record);
-}
-
 // Records that stand in metadata rather than as elements keep their id as it is.
 bool is_element(const Record& record) {
   return std::holds_alternative<PathRecord>(record) ||

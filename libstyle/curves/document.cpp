@@ -5,6 +5,18 @@
 
 namespace libstyle {
 
+const RecordBase* base_of(const Record& record) {
+  return std::visit(
+      [](const auto& known) -> const RecordBase* {
+        if constexpr (std::is_base_of_v<RecordBase, std::decay_t<decltype(known)>>) {
+          return &known;
+        } else {
+          return nullptr;
+        }
+      },
+      record);
+}
+
 const std::vector<double>* AlongValues::find(std::string_view name) const {
   const auto found = std::ranges::find(channels, name, &Channel::name);
   return found == channels.end() ? nullptr : &found->values;

@@ -227,6 +227,9 @@ using Record =
     std::variant<PathRecord, GroupRecord, GradientRecord, ClipRecord, ElementRecord,
                  ConstraintRecord, AdjustmentRecord, LabelRecord, SeedRecord, UnknownRecord>;
 
+// What records of known type share; null for one of unknown type.
+const RecordBase* base_of(const Record& record);
+
 // In paint order. Records stay where they are while others are added: they are large, so moving
 // them to make room would cost a third of the time of reading small paths.
 using Records = std::deque<Record>;

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <string_view>
-#include <type_traits>
 
 namespace libstyle {
 namespace {
@@ -14,15 +13,8 @@ const RecordBase* as_container(const Record& record) {
 }
 
 std::string_view parent_of(const Record& record) {
-  return std::visit(
-      [](const auto& known) -> std::string_view {
-        if constexpr (std::is_base_of_v<RecordBase, std::decay_t<decltype(known)>>) {
-          return known.parent;
-        } else {
-          return {};
-        }
-      },
-      record);
+  const RecordBase* base = base_of(record);
+  return base ? std::string_view(base->parent) : std::string_view();
 }
 
 }  // namespace

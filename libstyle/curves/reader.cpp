@@ -40,17 +40,15 @@ constexpr auto kKnownTypes = []<std::size_t... I>(std::index_sequence<I...>) {
 void check_unique_ids(const Document& document, const std::string& name) {
   std::unordered_map<std::string_view, std::size_t> line_of_id;
   line_of_id.reserve(document.records.size());
-  const auto check = [&](const auto& record) {
-    if constexpr (std::is_base_of_v<RecordBase, std::decay_t<decltype(record)>>) {
-      if (record.id.empty()) return;
-      const auto [first, added] = line_of_id.emplace(record.id, record.line);
-      if (added) return;
-      throw Error({name, record.line}, "\"id\": \"" + record.id + "\" is also the id of line " +
-                                           std::to_string(first->second) +
-                                           "; ids are unique in a document");
-    }
-  };
-  for (const Record& record : document.records) std::visit(check, record);
+  for (const Record& record : document.records) {
+    const RecordBase* base = base_of(record);
+    if (!base || base->id.empty()) continue;
+    const auto [first, added] = line_of_id.emplace(base->id, base->line);
+    if (added) continue;
+    throw Error({name, base->line}, "\"id\": \"" + base->id + "\" is also the id of line " +
+                                        std::to_string(first->second) +
+                                        "; ids are unique in a document");
+  }
 }
 
 void to_object(json::ondemand::document& document, Object& object) {

@@ -41,6 +41,11 @@ class Path {
   void close() { append(PathCommand::kClose, {}); }
 
   void append(const Path& other);
+  // `points` are as many as the command takes.
+  void append(PathCommand command, std::span<const Point> points) {
+    commands_.push_back(command);
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
   void clear();
   void reserve(std::size_t commands, std::size_t points);
 
@@ -59,11 +64,6 @@ class Path {
   friend bool operator==(const Path&, const Path&) = default;
 
  private:
-  void append(PathCommand command, std::span<const Point> points) {
-    commands_.push_back(command);
-    points_.insert(points_.end(), points.begin(), points.end());
-  }
-
   std::vector<PathCommand> commands_;
   std::vector<Point> points_;
 };

@@ -14,6 +14,25 @@ command_case(svg2curves/output-has-the-same-bytes
   RUN "svg2curves drawings/plan.svg -o $OUT/plan.curves && cat $OUT/plan.curves && test $(ls $OUT | wc -l) = 1"
   STDOUT expected/plan.curves)
 
+command_case(svg2curves/select-a-layer-and-a-class
+  RUN [[svg2curves --select 'layer:Walls, .window' drawings/plan.svg | grep -o '"in":"[^"]*"']]
+  SAME [[printf '"in":"%s"\n' walls walls walls openings openings openings]])
+command_case(svg2curves/select-several-times
+  RUN "svg2curves --select .door --select '#bed' drawings/plan.svg | tail -n +2" SAME "svg2curves --select '.door,#bed' drawings/plan.svg | tail -n +2")
+command_case(svg2curves/select-nothing
+  RUN "svg2curves --select '#nobody' drawings/plan.svg | wc -l" SAME "echo 1"
+  STDERR "svg2curves: drawings/plan.svg: warning: --select: nothing in the drawing is called so")
+command_case(svg2curves/select-wants-names
+  RUN "svg2curves --select 'g > path' drawings/plan.svg" EXIT 2
+  STDERR "~svg2curves: --select: .g > path. is not #ID, .* or the name of an element such as rect; see svg2curves --help")
+command_case(svg2curves/split-makes-a-path-of-each-subpath
+  RUN [[svg2curves drawings/plan.svg | grep -o '"d":"[^"]*"' | grep -o M | wc -l]]
+  SAME [[svg2curves --split drawings/plan.svg | grep -c '"type":"path"']])
+command_case(svg2curves/flatten-makes-lines
+  RUN [[svg2curves --flatten 0.1 drawings/plan.svg | { ! grep '"d":"[^"]*C'; }]])
+command_case(svg2curves/flatten-must-be-above-nought
+  RUN "svg2curves --flatten 0 drawings/plan.svg" EXIT 2
+  STDERR "svg2curves: --flatten must be above 0; see svg2curves --help")
 command_case(svg2curves/missing-file
   RUN "svg2curves nowhere.svg" EXIT 1
   STDERR "svg2curves: nowhere.svg: cannot be opened: No such file or directory")
