@@ -8,23 +8,12 @@
 
 #include "libstyle/analogy/chain.h"
 #include "libstyle/analogy/example.h"
+#include "libstyle/analogy/runs.h"
 #include "libstyle/analogy/style_grid.h"
 #include "libstyle/analogy/sweep.h"
 #include "libstyle/geometry/polyline.h"
 
 namespace libstyle {
-
-// A piece of the example copied in one go: steps first .. first + steps - 1 of the line are the
-// states origin, origin + 1, ...
-struct ChainRun {
-  std::size_t first = 0;
-  std::size_t steps = 0;
-  ChainState origin = 0;
-
-  friend bool operator==(const ChainRun&, const ChainRun&) = default;
-};
-
-std::vector<ChainRun> find_runs(const Example& example, std::span<const ChainState> walk);
 
 struct DrawnLine {
   Polyline curve;

@@ -160,27 +160,73 @@ class LeastMessages {
   std::vector<std::size_t> first_jump_;
 };
 
+// ---- Variety ----------------------------------------------------------------------------------
+
+// What a walk has drawn so far.
+class WalkMemory {
+ public:
+  WalkMemory(std::size_t states, const ChainVariety& variety)
+      : variety_(variety), uses_(states, 0) {}
+
+  void note(ChainState state) {
+    const bool goes_on = run_ > 0 && state == last_ + 1;
+    run_ = goes_on ? run_ + 1 : 1;
+    last_ = state;
+    ++uses_[state];
+  }
+
+  // Changes the weights of the states after the last. They stay as they are where all would
+  // vanish.
+  void weigh(const ChainRow& row, std::span<double> weights) {
+    weighed_.assign(weights.begin(), weights.end());
+    double sum = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      if (weighed_[k] == 0) continue;
+      const bool coherent = row.coherent > 0 && k == last_ + 1;
+      weighed_[k] *= coherent ? going_on() : std::pow(variety_.repeat_factor, uses_[k]);
+      sum += weighed_[k];
+    }
+    if (sum > 0) std::ranges::copy(weighed_, weights.begin());
+  }
+
+ private:
+  // 1 up to half the longest run, then falling evenly to 0 at its end.
+  double going_on() const {
+    if (variety_.longest_run == 0) return 1;
+    const double share = static_cast<double>(run_) / static_cast<double>(variety_.longest_run);
+    return std::clamp(2 - 2 * share, 0.0, 1.0);
+  }
+
+  const ChainVariety variety_;
+  std::vector<int> uses_;
+  std::vector<double> weighed_;
+  ChainState last_ = 0;
+  std::size_t run_ = 0;
+};
+
 }  // namespace
 
 std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& task,
-                                     const RandomStream& random, std::uint64_t first_place) {
+                                     const RandomStream& random, std::uint64_t first_place,
+                                     const ChainVariety& variety) {
   const SumMessages messages(model, task);
   MessageTape tape(task.steps, model.state_count(), std::cref(messages));
   std::vector<double> weights(model.state_count());
   std::vector<ChainState> walk;
   walk.reserve(task.steps);
+  WalkMemory memory(model.state_count(), variety);
   for (std::size_t step = 0; step < task.steps; ++step) {
     const std::span<const double> message = tape.at(step);
-    if (step == 0 && task.origin) {
-      walk.push_back(*task.origin);
-      continue;
-    }
     if (step == 0) {
       std::ranges::copy(message, weights.begin());
     } else {
       messages.weigh_successors(walk.back(), message, weights);
+      memory.weigh(model.rows[walk.back()], weights);
     }
-    walk.push_back(static_cast<ChainState>(random.choose(first_place + step, weights)));
+    const bool given = step == 0 && task.origin;
+    walk.push_back(given ? *task.origin
+                         : static_cast<ChainState>(random.choose(first_place + step, weights)));
+    memory.note(walk.back());
   }
   return walk;
 }

@@ -59,10 +59,22 @@ struct ChainTask {
   bool returns = false;  // the last step leads back to `origin`, which is given: a closed curve
 };
 
-// A walk with the probability that the chain gives to it under the task. `random` is asked for one
-// number a step, at places first_place, first_place + 1, ...
+// What keeps a sampled walk from being seen to repeat itself. Each step is drawn from the chain's
+// distribution, conditions and all, with two changes.
+struct ChainVariety {
+  // The most steps copied in one go; 0: any number. Beyond half of it going on becomes less and
+  // less likely, so that a walk that can leave well does so before it must.
+  std::size_t longest_run = 0;
+  // A jump to a state that was drawn n times before has this to the power of n of its probability;
+  // 1: repeats do not matter.
+  double repeat_factor = 1;
+};
+
+// A walk with the probability that the chain gives to it under the task, but for the variety asked
+// for. `random` is asked for one number a step, at places first_place, first_place + 1, ...
 std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& task,
-                                     const RandomStream& random, std::uint64_t first_place = 0);
+                                     const RandomStream& random, std::uint64_t first_place = 0,
+                                     const ChainVariety& variety = {});
 
 // The most probable walk; of equals the one with the lowest states.
 std::vector<ChainState> best_chain(const ChainModel& model, const ChainTask& task);

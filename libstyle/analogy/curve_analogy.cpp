@@ -23,6 +23,13 @@ namespace {
 // is left over is bent into place.
 constexpr double kHeldSpread = 0.15;
 
+constexpr double kMeanRun = 8;  // feature sizes
+
+// The longest run: a share of the example, but not less than so many feature sizes.
+constexpr double kLongestRun = 0.2;
+constexpr double kLeastLongestRun = 4;
+constexpr double kRepeatFactor = 0.25;  // for each time that a place was used before on the line
+
 constexpr double kMostSteps = 1 << 20;
 
 // Places nearer to each other, or to an end, than this share of a line are held as one.
@@ -119,7 +126,8 @@ class CurveAnalogy::Implementation {
   Implementation(std::span<const ExamplePair> pairs, const CurveAnalogyParameters& parameters)
       : parameters_((validate(parameters), parameters)),
         example_(pairs, parameters),
-        jumps_(make_jump_model(example_, parameters.mean_run, parameters.shape_weight > 0)),
+        jumps_(make_jump_model(example_, parameters.mean_run.value_or(kMeanRun),
+                               parameters.shape_weight > 0)),
         held_costs_(example_) {
     if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
   }
@@ -143,6 +151,7 @@ class CurveAnalogy::Implementation {
                                         std::uint64_t first) const;
   std::vector<ChainState> walk_by_shape(const Sweep& line, const StyleGrid& grid) const;
   ChainState random_origin(const RandomStream& random, std::uint64_t first) const;
+  ChainVariety variety() const;
 
   CurveAnalogyParameters parameters_;
   Example example_;
@@ -245,7 +254,13 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const StyleG
     task.origin = random_origin(random, first);
     task.returns = true;
   }
-  return sample_chain(jumps_.chain, task, random, first);
+  return sample_chain(jumps_.chain, task, random, first, variety());
+}
+
+ChainVariety CurveAnalogy::Implementation::variety() const {
+  const double least = kLeastLongestRun * example_.feature_along() / example_.step();
+  const double share = kLongestRun * static_cast<double>(example_.state_count());
+  return {static_cast<std::size_t>(std::max(share, least)), kRepeatFactor};
 }
 
 // A closed line is walked twice round first: where that passes half-way it no longer feels its

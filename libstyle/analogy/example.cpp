@@ -150,6 +150,10 @@ ExampleLine::Sample ExampleLine::at(double length) const {
   return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent};
 }
 
+Point ExampleLine::filtered_at(double length) const {
+  return sweep_.point_at(length) + to_page(at(length).offset, sweep_.frame_at(length));
+}
+
 Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters) {
   if (examples.empty()) throw Error("there is no example; give at least one filtered curve");
   std::vector<Pair> pairs;

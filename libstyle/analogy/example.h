@@ -38,6 +38,8 @@ class ExampleLine {
   std::span<const Sample> samples() const { return samples_; }
   // Interpolated; the ends hold beyond themselves.
   Sample at(double length) const;
+  // The place of the filtered curve.
+  Point filtered_at(double length) const;
 
  private:
   Sweep sweep_;

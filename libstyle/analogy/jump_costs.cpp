@@ -117,9 +117,11 @@ class JumpModelMaker {
            std::abs(length - example_.length_of(to)) < apart_of(from);
   }
 
-  // A short line has no two places that far apart; a quarter of it has to do.
+  // A short line has no two places that far apart; a quarter of it has to do. States lie whole
+  // steps apart, and the quarter of a step keeps rounding from deciding about them.
   double apart_of(std::size_t state) const {
-    return std::min(kApart * example_.feature_along(), example_.line(state).length() / 4);
+    return std::min(kApart * example_.feature_along(), example_.line(state).length() / 4) -
+           example_.step() / 4;
   }
 
   void find_landings(bool ends_allowed) {

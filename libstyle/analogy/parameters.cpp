@@ -30,7 +30,9 @@ void validate(const CurveAnalogyParameters& p) {
     require(*p.feature_size > 0, "feature_size", *p.feature_size, "more than 0 px");
   }
   require(p.samples >= 100 && p.samples <= 20000, "samples", p.samples, "100 to 20000");
-  require(p.mean_run >= 2 && p.mean_run <= 1000, "mean_run", p.mean_run, "2 to 1000");
+  if (p.mean_run) {
+    require(*p.mean_run >= 2 && *p.mean_run <= 1000, "mean_run", *p.mean_run, "2 to 1000");
+  }
   require(p.smoothing >= 0 && p.smoothing <= 4, "smoothing", p.smoothing, "0 to 4");
   require(p.smallest_scale > 0 && p.smallest_scale <= 1, "smallest_scale", p.smallest_scale,
           "more than 0, at most 1");

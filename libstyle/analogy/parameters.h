@@ -48,8 +48,9 @@ struct CurveAnalogyParameters {
   int samples = 1200;
 
   // The mean length copied from the example in one go, in feature sizes along the line; 2 .. 1000.
-  // Short runs vary more, long ones are more faithful.
-  double mean_run = 8;
+  // Short runs vary more, long ones are more faithful. Unset: 8 where lines are drawn again, 2
+  // where a curve is made from nothing (synthesis.h).
+  std::optional<double> mean_run;
 
   // How much of its own detail a line loses before it is drawn, in feature sizes along the line;
   // 0 .. 4. 0 keeps it, which suits clean lines; 1 replaces the tremble of scanned or shaky lines.

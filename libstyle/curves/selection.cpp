@@ -67,7 +67,8 @@ class Selection {
       if (base && !base->id.empty()) places_.emplace(base->id, i);
     }
     for (std::size_t i = kept_.size(); i-- > 0;) {
-      if (kept_[i]) std::visit([&](const auto& record) { keep_needs(record, i); }, document_.records[i]);
+      if (kept_[i])
+        std::visit([&](const auto& record) { keep_needs(record, i); }, document_.records[i]);
     }
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       std::visit([&](const auto& record) { keep_remarks(record, i); }, document_.records[i]);

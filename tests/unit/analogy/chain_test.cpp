@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "tests/support/seeds.h"
 
@@ -123,6 +125,71 @@ TEST(Chain, SamplesTheSameWalkForTheSameStream) {
   const RandomStream stream(7, 3);
   EXPECT_EQ(sample_chain(model, task, stream, 40), sample_chain(model, task, stream, 40));
   EXPECT_NE(sample_chain(model, task, stream, 40), sample_chain(model, task, stream, 41));
+}
+
+// A chain that mostly goes on, round a ring by a jump at its end.
+ChainModel long_chain(std::size_t states) {
+  ChainModel model;
+  for (std::size_t j = 0; j < states; ++j) {
+    const bool ends = j + 1 == states;
+    const auto target = static_cast<ChainState>((j * 7 + 3) % states);
+    const bool jumps = target != j + 1;
+    ChainRow row;
+    if (jumps) row.jumps = {{target, ends ? 0.999 : 0.01}};
+    row.anywhere = 0.001;
+    row.coherent = ends ? 0 : jumps ? 0.989 : 0.999;
+    model.rows.push_back(row);
+    model.landing.push_back(1);
+  }
+  return model;
+}
+
+std::size_t longest_run(const Walk& walk) {
+  std::size_t longest = 1, run = 1;
+  for (std::size_t i = 1; i < walk.size(); ++i) {
+    run = walk[i] == walk[i - 1] + 1 ? run + 1 : 1;
+    longest = std::max(longest, run);
+  }
+  return longest;
+}
+
+TEST(ChainVariety, NoRunIsLongerThanAllowed) {
+  const ChainModel model = long_chain(200);
+  ChainTask task;
+  task.steps = 1000;
+  for_each_seed(20, [&](std::uint64_t seed) {
+    const RandomStream random(seed, 0);
+    EXPECT_GT(longest_run(sample_chain(model, task, random)), 40u);
+    EXPECT_LE(longest_run(sample_chain(model, task, random, 0, {40, 1})), 40u);
+  });
+}
+
+TEST(ChainVariety, RepeatsGetRarer) {
+  const ChainModel model = long_chain(200);
+  ChainTask task;
+  task.steps = 400;
+  double used_anyhow = 0, used_gladly = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const RandomStream random(seed, 0);
+    const Walk plain = sample_chain(model, task, random, 0, {40, 1});
+    const Walk varied = sample_chain(model, task, random, 0, {40, 0.01});
+    used_anyhow += static_cast<double>(std::set(plain.begin(), plain.end()).size());
+    used_gladly += static_cast<double>(std::set(varied.begin(), varied.end()).size());
+  }
+  EXPECT_GT(used_gladly, 1.05 * used_anyhow);
+}
+
+TEST(ChainVariety, StillReturnsToTheOrigin) {
+  const ChainModel model = long_chain(30);
+  ChainTask task;
+  task.steps = 50;
+  task.origin = 4;
+  task.returns = true;
+  for_each_seed(20, [&](std::uint64_t seed) {
+    const Walk walk = sample_chain(model, task, RandomStream(seed, 0), 0, {10, 0.1});
+    EXPECT_EQ(walk.front(), 4u);
+    EXPECT_GT(transition_probability(model, walk.back(), 4), 0);
+  });
 }
 
 TEST(Chain, LongWalksDoNotUnderflow) {

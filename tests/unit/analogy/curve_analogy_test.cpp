@@ -256,6 +256,19 @@ TEST(CurveAnalogy, RunsCoverTheCurveAndVary) {
   EXPECT_GT(drawn.runs.size(), 3u);
 }
 
+TEST(CurveAnalogy, NoRunIsAQuarterOfTheExample) {
+  const ExamplePair pair = wavy_pair();
+  const Polyline line = polyline("0 0, 6000 0");
+  for_each_seed(5, [&](std::uint64_t seed) {
+    CurveAnalogyParameters parameters;
+    parameters.seed = seed;
+    const CurveAnalogy style({&pair, 1}, parameters);
+    for (const ChainRun& run : style.draw(line, 0).runs) {
+      EXPECT_LT(4 * run.steps, style.example().state_count());
+    }
+  });
+}
+
 TEST(CurveAnalogy, AnExampleLeftOutIsTheBlurredOne) {
   ExamplePair pair = wavy_pair();
   pair.unfiltered.reset();

@@ -65,7 +65,8 @@ TEST(SplitSubpaths, GivesEachPieceTheStyleAndItsShareOfTheValues) {
 }
 
 TEST(SplitSubpaths, MakesIdsThatAreFree) {
-  Document document = {{}, {path("M0 0 M1 1 M2 2", "a"), path("M3 3", "a~3"), path("M4 4 M5 5", "")}};
+  Document document = {{},
+                       {path("M0 0 M1 1 M2 2", "a"), path("M3 3", "a~3"), path("M4 4 M5 5", "")}};
   split_subpaths(document);
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < document.records.size(); ++i) ids.push_back(path_at(document, i).id);
@@ -104,9 +105,8 @@ TEST(FlattenPaths, StaysWithinTheTolerance) {
     Document document = {{}, {record}};
     flatten_paths(document, tolerance, "");
     const Path& flat = path_at(document, 0).path;
-    EXPECT_TRUE(std::ranges::none_of(flat.commands(), [](PathCommand command) {
-      return command == PathCommand::kCubic;
-    }));
+    EXPECT_TRUE(std::ranges::none_of(
+        flat.commands(), [](PathCommand command) { return command == PathCommand::kCubic; }));
     const Subpath whole = subpaths(record.path)[0];
     for (const PathSegment& segment : whole.segments) {
       for (double t = 0; t <= 1; t += 1.0 / 64) {

@@ -117,8 +117,9 @@ TEST(KeepSelected, KeepsWhatIsSaidOfTheSelected) {
   LabelRecord label;
   label.id = "label";
   label.of = "a";
-  EXPECT_THAT(kept({{}, {of_kept, of_other, path("a"), path("b"), label, UnknownRecord{"{}", 0}}}, "#a"),
-              ElementsAre("of_kept", "a", "label", "unknown"));
+  EXPECT_THAT(
+      kept({{}, {of_kept, of_other, path("a"), path("b"), label, UnknownRecord{"{}", 0}}}, "#a"),
+      ElementsAre("of_kept", "a", "label", "unknown"));
 }
 
 TEST(KeepSelected, SaysWhetherAnythingWas) {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/runs.h"
+
+#include <algorithm>
+
+namespace libstyle {
+namespace {
+
+constexpr double kFade = 0.5;  // feature sizes to each side of a jump
+
+}  // namespace
+
+std::vector<ChainRun> find_runs(const Example& example, std::span<const ChainState> walk) {
+  std::vector<ChainRun> runs;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const bool goes_on = i > 0 && walk[i] == walk[i - 1] + 1 && example.has_next(walk[i - 1]);
+    if (!goes_on) runs.push_back({i, 0, walk[i]});
+    ++runs.back().steps;
+  }
+  return runs;
+}
+
+PlacedRuns::PlacedRuns(const Example& example, std::span<const ChainRun> runs, std::size_t steps,
+                       bool closed)
+    : example_(example) {
+  const auto total = static_cast<double>(steps);
+  if (closed) add(runs.back(), -total);
+  for (const ChainRun& run : runs) add(run, 0);
+  if (closed) add(runs.front(), total);
+  const double fade = kFade * example.feature_along() / example.step();
+  for (std::size_t i = 0; i + 1 < placed_.size(); ++i) {
+    placed_[i].fade_out = std::min({fade, placed_[i].size() / 2, placed_[i + 1].size() / 2});
+  }
+}
+
+void PlacedRuns::add(const ChainRun& run, double shift) {
+  const double begin = static_cast<double>(run.first) + shift;
+  placed_.push_back({begin, begin + static_cast<double>(run.steps), &example_.line(run.origin),
+                     example_.length_of(run.origin)});
+}
+
+double PlacedRuns::length_at(const Placed& run, double x) const {
+  return run.length + (x - run.begin) * example_.step();
+}
+
+PlacedRuns::Blend PlacedRuns::blend_at(double x) const {
+  const auto next = std::ranges::upper_bound(placed_, x, {}, &Placed::begin);
+  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, next - placed_.begin() - 1));
+  if (i > 0 && x - placed_[i].begin < placed_[i - 1].fade_out) return fade(i - 1, x);
+  if (i + 1 < placed_.size() && placed_[i].end - x < placed_[i].fade_out) return fade(i, x);
+  return {i, i, 0};
+}
+
+PlacedRuns::Blend PlacedRuns::fade(std::size_t left, double x) const {
+  const double half = placed_[left].fade_out;
+  const double u = std::clamp((x - placed_[left].end + half) / (2 * half), 0.0, 1.0);
+  return {left, left + 1, u * u * (3 - 2 * u)};
+}
+
+Vector PlacedRuns::offset_at(const Blend& blend, double x) const {
+  const Vector left = offset_of(placed_[blend.left], x);
+  if (blend.left == blend.right) return left;
+  return lerp(left, offset_of(placed_[blend.right], x), blend.right_share);
+}
+
+Vector PlacedRuns::offset_of(const Placed& run, double x) const {
+  return run.line->at(length_at(run, x)).offset;
+}
+
+std::vector<double> PlacedRuns::sample_coordinates(double steps) const {
+  std::vector<double> result;
+  for (const Placed& run : placed_) {
+    if (run.end <= 0 || run.begin >= steps) continue;
+    result.push_back(run.begin);
+    const auto samples = run.line->samples();
+    auto at = std::ranges::upper_bound(samples, run.length, {}, &ExampleLine::Sample::length);
+    for (; at != samples.end(); ++at) {
+      const double x = run.begin + (at->length - run.length) / example_.step();
+      if (x >= run.end - kSamePlace) break;
+      if (x > result.back() + kSamePlace) result.push_back(x);
+    }
+  }
+  return result;
+}
+
+}  // namespace libstyle

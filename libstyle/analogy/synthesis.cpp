@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/synthesis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libstyle/analogy/feature_size.h"
+#include "libstyle/base/error.h"
+#include "libstyle/base/random.h"
+#include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/sampled_curve.h"
+
+namespace libstyle {
+namespace {
+
+constexpr double kMostSteps = 1 << 20;
+
+// Found by trial on four coasts, four rivers, loops and waves, 24 seeds each, twice the length of
+// the example: median runs of 2 to 9 % of the example, none degenerate, coverage 0.7 to 1, turning
+// angles nearer to the example's than its halves are to each other. Larger features leave too few
+// states to choose from where a coast has no size of its own; milder factors let rivers walk in a
+// circle now and then.
+constexpr double kLargestFeature = 0.01;  // of the length of the example
+constexpr double kMeanRun = 2;            // feature sizes
+constexpr double kLongestRun = 0.12;      // of the example
+constexpr double kRepeatFactor = 0.03;    // for each time that a place was used before
+
+// More steps than the length needs: where two runs fade into each other their moves may differ in
+// direction, and the curve gets shorter by as much.
+constexpr double kSpareSteps = 1.15;
+
+// The example as its own line, along which it has no offsets: what is left to compare is tangents.
+std::vector<ExamplePair> pairs_of(std::span<const Polyline> examples) {
+  std::vector<ExamplePair> pairs;
+  for (const Polyline& example : examples) {
+    const SampledCurve curve = with_length_parameter(example);
+    pairs.push_back({curve, curve, true});
+  }
+  return pairs;
+}
+
+CurveAnalogyParameters synthesis_parameters(std::span<const Polyline> examples,
+                                            CurveAnalogyParameters parameters) {
+  validate(parameters);
+  parameters.smoothing = 0;
+  double length = 0;
+  for (const Polyline& example : examples) length += arc_length(example);
+  // Curves that cannot serve are refused by Example.
+  if (!parameters.feature_size && length > 0 && std::isfinite(length)) {
+    parameters.feature_size =
+        std::min(find_feature_size(examples, std::nullopt), kLargestFeature * length);
+  }
+  return parameters;
+}
+
+// The direction that each run is turned to: the first as it was drawn, the others on from the one
+// before.
+std::vector<Vector> turns(const PlacedRuns& runs) {
+  std::vector<Vector> result = {{1, 0}};
+  for (std::size_t i = 1; i < runs.runs().size(); ++i) {
+    const PlacedRuns::Placed &before = runs.runs()[i - 1], &run = runs.runs()[i];
+    const Vector arriving =
+        to_page(before.line->sweep().frame_at(runs.length_at(before, before.end)), result.back());
+    const Vector leaving = run.line->sweep().frame_at(run.length);
+    result.push_back(normalized(to_frame(arriving, leaving)));
+  }
+  return result;
+}
+
+// How the curve moves between two coordinates.
+class Moves {
+ public:
+  explicit Moves(const PlacedRuns& runs) : runs_(runs), turns_(turns(runs)) {}
+
+  Vector between(double from, double to) const {
+    const PlacedRuns::Blend blend = runs_.blend_at((from + to) / 2);
+    const Vector left = move(blend.left, from, to);
+    if (blend.left == blend.right) return left;
+    return lerp(left, move(blend.right, from, to), blend.right_share);
+  }
+
+ private:
+  Vector move(std::size_t index, double from, double to) const {
+    const PlacedRuns::Placed& run = runs_.runs()[index];
+    const Point a = run.line->filtered_at(runs_.length_at(run, from));
+    const Point b = run.line->filtered_at(runs_.length_at(run, to));
+    return to_page(b - a, turns_[index]);
+  }
+
+  const PlacedRuns& runs_;
+  std::vector<Vector> turns_;
+};
+
+// The beginning of the curve, up to a length.
+Polyline cut(Polyline curve, double length) {
+  const ArcLength along(curve);
+  if (!(along.total() > length)) return curve;
+  const PolylinePlace end = along.place_at(length);
+  curve.points.resize(end.segment + 1);
+  const Point last = along.point_at(length);
+  if (last != curve.points.back()) curve.points.push_back(last);
+  return curve;
+}
+
+}  // namespace
+
+CurveSynthesis::CurveSynthesis(std::span<const Polyline> examples,
+                               const CurveAnalogyParameters& parameters)
+    : parameters_(synthesis_parameters(examples, parameters)),
+      example_(pairs_of(examples), parameters_),
+      jumps_(make_jump_model(example_, parameters_.mean_run.value_or(kMeanRun), false)) {}
+
+double CurveSynthesis::longest_curve() const { return kMostSteps * example_.step(); }
+
+SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place) const {
+  if (!(length > 0 && length <= longest_curve())) {
+    throw Error("the length of a curve to be made must be above 0 px and at most " +
+                std::to_string(static_cast<long long>(longest_curve())) + " px");
+  }
+  ChainTask task;
+  task.steps = static_cast<std::size_t>(std::ceil(kSpareSteps * length / example_.step())) + 1;
+  ChainVariety variety;
+  variety.longest_run =
+      static_cast<std::size_t>(kLongestRun * static_cast<double>(example_.state_count())) + 1;
+  variety.repeat_factor = kRepeatFactor;
+  const std::vector<ChainState> walk = sample_chain(
+      jumps_.chain, task, RandomStream(parameters_.seed, place), 0, variety);
+
+  SynthesizedCurve result;
+  result.runs = find_runs(example_, walk);
+  const PlacedRuns runs(example_, result.runs, task.steps, false);
+  std::vector<double> xs = runs.sample_coordinates(static_cast<double>(task.steps));
+  xs.push_back(static_cast<double>(task.steps));
+  const Moves moves(runs);
+  Point at;
+  result.curve.points = {at};
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+    at += moves.between(xs[i], xs[i + 1]);
+    if (at != result.curve.points.back()) result.curve.points.push_back(at);
+  }
+  result.curve = cut(std::move(result.curve), length);
+  return result;
+}
+
+}  // namespace libstyle

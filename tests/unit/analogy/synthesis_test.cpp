@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "libstyle/analogy/synthesis.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "libstyle/base/error.h"
+#include "libstyle/base/parallel.h"
+#include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/turning_statistics.h"
+#include "tests/support/curves.h"
+#include "tests/support/matchers.h"
+
+namespace libstyle {
+namespace {
+
+constexpr std::uint64_t kSeeds = 24;
+
+// A coast: bays within bays, 1,200 points.
+Polyline coast() {
+  RandomValues random(5);
+  return random_stroke(random, 1200);
+}
+
+Polyline loops() {
+  RandomValues random(3);
+  Polyline result;
+  double phase = 0, pace = 1, x = 0;
+  for (int i = 0; i < 1200; ++i) {
+    pace += 0.05 * (1 - pace) + random.normal(0.03);
+    phase += 0.12 * pace;
+    x += 0.6;
+    result.points.push_back({x + 12 * std::sin(phase), 12 * std::cos(phase)});
+  }
+  return result;
+}
+
+CurveAnalogyParameters with_seed(std::uint64_t seed, Invariance invariance = Invariance::kTranslate) {
+  CurveAnalogyParameters parameters;
+  parameters.seed = seed;
+  parameters.invariance = invariance;
+  return parameters;
+}
+
+SynthesizedCurve synthesize(const Polyline& example, const CurveAnalogyParameters& parameters,
+                            double length) {
+  return CurveSynthesis({&example, 1}, parameters).draw(length, 0);
+}
+
+// How far `b` is from `a` turned and stretched by `turn`, where both are as far along.
+double farthest(const Polyline& a, const Polyline& b, Vector turn = {1, 0}) {
+  const ArcLength along_a(a), along_b(b);
+  double most = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const Point p = along_a.point_at(along_a.total() * i / 1000);
+    most = std::max(most, distance(to_page(p, turn), along_b.point_at(along_b.total() * i / 1000)));
+  }
+  return most;
+}
+
+// The halves of a curve, evenly sampled.
+double distance_of_halves(const Polyline& curve, double spacing) {
+  const ArcLength along(curve);
+  Polyline halves[2];
+  for (int half = 0; half < 2; ++half) {
+    for (double s = 0; s <= along.total() / 2; s += spacing) {
+      halves[half].points.push_back(along.point_at(half * along.total() / 2 + s));
+    }
+  }
+  return turning_distance(halves[0], halves[1], spacing);
+}
+
+// --- Identities ---------------------------------------------------------------------------------
+
+TEST(CurveSynthesis, HasTheLengthThatWasAskedFor) {
+  const Polyline example = coast();
+  for (const double length : {3.0, 100.0, 2500.0}) {
+    EXPECT_NEAR(arc_length(synthesize(example, with_seed(1), length).curve), length, 1e-9 * length);
+  }
+}
+
+TEST(CurveSynthesis, BeginsAtTheOriginAndHasNoPointTwice) {
+  const Polyline curve = synthesize(coast(), with_seed(1), 2000).curve;
+  EXPECT_EQ(curve.points.front(), (Point{0, 0}));
+  EXPECT_EQ(std::ranges::adjacent_find(curve.points), curve.points.end());
+  EXPECT_FALSE(curve.closed);
+}
+
+TEST(CurveSynthesis, CopiesAStraightLineAsAStraightLine) {
+  const SynthesizedCurve drawn = synthesize(polyline("0 0, 30 40"), with_seed(1), 200);
+  EXPECT_NEAR(distance(drawn.curve.points.back(), {120, 160}), 0, 1e-9);
+}
+
+TEST(CurveSynthesis, DoesNotCareWhereTheExampleLies) {
+  const Polyline example = coast();
+  Polyline moved = example;
+  for (Point& p : moved.points) p += {1000, -300};
+  const Polyline a = synthesize(example, with_seed(7), 2000).curve;
+  const Polyline b = synthesize(moved, with_seed(7), 2000).curve;
+  EXPECT_LT(farthest(a, b), 1e-7);
+}
+
+TEST(CurveSynthesis, TurnsWithTheExample) {
+  const Vector turn = {std::cos(0.7), std::sin(0.7)};
+  const Polyline example = coast();
+  Polyline turned = example;
+  for (Point& p : turned.points) p = to_page(p, turn);
+  const auto parameters = with_seed(7, Invariance::kRotate);
+  const Polyline a = synthesize(example, parameters, 2000).curve;
+  const Polyline b = synthesize(turned, parameters, 2000).curve;
+  EXPECT_LT(farthest(a, b, turn), 1e-7);
+}
+
+TEST(CurveSynthesis, FollowsTheScale) {
+  const Polyline example = coast();
+  CurveAnalogyParameters large = with_seed(7);
+  large.scale = 3;
+  const Polyline a = synthesize(example, with_seed(7), 700).curve;
+  const Polyline b = synthesize(example, large, 2100).curve;
+  EXPECT_LT(farthest(a, b, {3, 0}), 1e-7);
+}
+
+TEST(CurveSynthesis, IsTheSameEveryTimeAndOtherwiseAnother) {
+  const Polyline example = loops();
+  const Polyline once = synthesize(example, with_seed(1), 2000).curve;
+  EXPECT_EQ(synthesize(example, with_seed(1), 2000).curve, once);
+  EXPECT_NE(synthesize(example, with_seed(2), 2000).curve, once);
+  EXPECT_NE(CurveSynthesis({&example, 1}, with_seed(1)).draw(2000, 1).curve, once);
+}
+
+// --- Likeness and variety, over seeds -----------------------------------------------------------
+
+struct Figures {
+  double mean_distance = 0;
+  double largest_run = 0;     // share of the example
+  double least_coverage = 1;  // of the example
+  double largest_repeat = 0;  // share of steps that are the same so many steps later, any number
+  double mean_median = 0;     // of the runs, in 1/1200 of the example
+};
+
+double repetition(const std::vector<ChainRun>& runs) {
+  std::vector<std::size_t> states;
+  for (const ChainRun& run : runs) {
+    for (std::size_t k = 0; k < run.steps; ++k) states.push_back(run.origin + k);
+  }
+  double most = 0;
+  for (std::size_t lag = 8; lag < states.size() / 2; ++lag) {
+    double same = 0;
+    for (std::size_t i = 0; i + lag < states.size(); ++i) same += states[i] == states[i + lag];
+    most = std::max(most, same / static_cast<double>(states.size() - lag));
+  }
+  return most;
+}
+
+Figures measure(const Polyline& example) {
+  const double length = arc_length(example);
+  std::vector<Figures> each(kSeeds);
+  parallel_for(kSeeds, 0, [&](std::size_t seed) {
+    const CurveSynthesis style({&example, 1}, with_seed(seed));
+    const SynthesizedCurve drawn = style.draw(2 * length, 0);
+    const auto states = static_cast<double>(style.example().state_count());
+    std::vector<bool> used(style.example().state_count());
+    std::vector<std::size_t> sizes;
+    for (const ChainRun& run : drawn.runs) {
+      sizes.push_back(run.steps);
+      std::fill_n(used.begin() + run.origin, run.steps, true);
+    }
+    std::ranges::sort(sizes);
+    each[seed] = {turning_distance(example, drawn.curve, length / 1200),
+                  static_cast<double>(sizes.back()) / states,
+                  static_cast<double>(std::ranges::count(used, true)) / states,
+                  repetition(drawn.runs),
+                  1200 * static_cast<double>(sizes[sizes.size() / 2]) / states};
+  });
+  Figures all;
+  for (const Figures& one : each) {
+    all.mean_distance += one.mean_distance / kSeeds;
+    all.largest_run = std::max(all.largest_run, one.largest_run);
+    all.least_coverage = std::min(all.least_coverage, one.least_coverage);
+    all.largest_repeat = std::max(all.largest_repeat, one.largest_repeat);
+    all.mean_median += one.mean_median / kSeeds;
+  }
+  return all;
+}
+
+void expect_likeness_and_variety(const Polyline& example) {
+  const Figures figures = measure(example);
+  EXPECT_LT(figures.mean_distance, distance_of_halves(example, arc_length(example) / 1200));
+  EXPECT_LT(figures.largest_run, 0.25);
+  EXPECT_GT(figures.least_coverage, 0.6);
+  EXPECT_LT(figures.largest_repeat, 0.5);
+  EXPECT_GT(figures.mean_median, 10);
+  EXPECT_LT(figures.mean_median, 60);
+}
+
+TEST(CurveSynthesis, ACoastIsLikeItsExampleAndDoesNotRepeatIt) {
+  expect_likeness_and_variety(coast());
+}
+
+TEST(CurveSynthesis, LoopsAreLikeTheirExampleAndDoNotRepeatIt) {
+  expect_likeness_and_variety(loops());
+}
+
+// --- Errors -------------------------------------------------------------------------------------
+
+TEST(CurveSynthesis, RefusesWhatCannotServe) {
+  const Polyline point = polyline("3 3"), good = polyline("0 0, 10 0");
+  EXPECT_THROW(CurveSynthesis({&point, 1}, {}), Error);
+  EXPECT_THROW(CurveSynthesis(std::span<const Polyline>(), {}), Error);
+  const CurveSynthesis style({&good, 1}, {});
+  for (const double length : {0.0, -1.0, std::nan(""), 1e300}) {
+    EXPECT_THROW(style.draw(length, 0), Error) << length;
+  }
+}
+
+TEST(CurveSynthesis, TakesExamplesOfAnyKind) {
+  RandomValues random(1);
+  for (const Polyline& example :
+       {polyline("0 0, 1 0"), polyline("0 0, 0 0, 5 5, 5 5"), circle({0, 0}, 10, 30),
+        random_scribble(random, 50, 10), polyline("0 0, 10 0, 0 0")}) {
+    for (const Invariance invariance : {Invariance::kRotate, Invariance::kTranslate}) {
+      const double length = 3 * arc_length(example);
+      const Polyline curve = synthesize(example, with_seed(1, invariance), length).curve;
+      EXPECT_NEAR(arc_length(curve), length, 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace libstyle
