@@ -29,12 +29,19 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
+bool is_drawn(const Record& record) {
+  return std::holds_alternative<PathRecord>(record) ||
+         std::holds_alternative<GroupRecord>(record) ||
+         std::holds_alternative<ElementRecord>(record);
+}
+
 // The records of a document that stay.
 class Selection {
  public:
   Selection(const Document& document, const RecordSelector& selector)
       : document_(document), containers_(document), kept_(document.records.size()) {
-    select(selector);
+    const std::vector<std::size_t> selected = selected_by(document, {&selector, 1});
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = selected[i] != kNotSelected;
     any_ = std::ranges::find(kept_, true) != kept_.end();
     keep_what_is_needed();
   }
@@ -43,22 +50,6 @@ class Selection {
   const std::vector<bool>& kept() const { return kept_; }
 
  private:
-  // What is drawn, where it or something around it matches. (Containers stand before members.)
-  void select(const RecordSelector& selector) {
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      const Record& record = document_.records[i];
-      const std::size_t around = containers_.of(i);
-      const bool inherited = around != Containers::kNone && kept_[around];
-      kept_[i] = is_drawn(record) && (inherited || selector.matches(record));
-    }
-  }
-
-  static bool is_drawn(const Record& record) {
-    return std::holds_alternative<PathRecord>(record) ||
-           std::holds_alternative<GroupRecord>(record) ||
-           std::holds_alternative<ElementRecord>(record);
-  }
-
   // References reach back only, but those from records that are not drawn, which may stand
   // anywhere.
   void keep_what_is_needed() {
@@ -125,16 +116,16 @@ class Selection {
 
 }  // namespace
 
-RecordSelector::RecordSelector(std::string_view text) {
+RecordSelector::RecordSelector(std::string_view text, BareWord bare) {
   while (true) {
     const std::size_t comma = text.find(',');
-    terms_.push_back(parse_term(trimmed(text.substr(0, comma))));
+    terms_.push_back(parse_term(trimmed(text.substr(0, comma)), bare));
     if (comma == std::string_view::npos) return;
     text.remove_prefix(comma + 1);
   }
 }
 
-RecordSelector::Term RecordSelector::parse_term(std::string_view text) {
+RecordSelector::Term RecordSelector::parse_term(std::string_view text, BareWord bare) {
   Term term;
   std::string_view name = text;
   if (text.starts_with('#')) {
@@ -147,14 +138,15 @@ RecordSelector::Term RecordSelector::parse_term(std::string_view text) {
     term.kind = Term::Kind::kLayer;
     name = trimmed(name.substr(kLayerPrefix.size()));
   } else {
-    term.kind = Term::Kind::kShape;
+    term.kind = bare == BareWord::kElement ? Term::Kind::kShape : Term::Kind::kAnything;
   }
-  constexpr std::string_view kNotInNames = " #.:>+~*[]";
+  constexpr std::string_view kNotInLabels = "#.:>+~*[]", kNotInNames = " #.:>+~*[]";
+  const std::string_view excluded = term.kind == Term::Kind::kAnything ? kNotInLabels : kNotInNames;
   const bool is_plain = term.kind == Term::Kind::kLayer || term.kind == Term::Kind::kId ||
-                        name.find_first_of(kNotInNames) == std::string_view::npos;
+                        name.find_first_of(excluded) == std::string_view::npos;
   if (name.empty() || !is_plain) {
-    throw Error("\"" + std::string(text) +
-                "\" is not #ID, .CLASS, layer:NAME or the name of an element such as rect");
+    throw Error("\"" + std::string(text) + "\" is not #ID, .CLASS, layer:NAME or " +
+                (bare == BareWord::kElement ? "the name of an element such as rect" : "a name"));
   }
   term.name = name;
   return term;
@@ -167,21 +159,43 @@ bool RecordSelector::matches(const Record& record) const {
 bool RecordSelector::matches(const Term& term, const Record& record) {
   const RecordBase* base = base_of(record);
   if (!base) return false;
+  const auto* group = std::get_if<GroupRecord>(&record);
+  const auto* path = std::get_if<PathRecord>(&record);
+  const bool has_id = given_id(base->id) == term.name;
+  const bool has_class = has_word(base->classes, term.name);
+  const bool has_label = base->label == term.name;
+  const bool has_shape =
+      path && (path->shape.empty() ? PathRecord::kType : path->shape) == term.name;
   switch (term.kind) {
     case Term::Kind::kId:
-      return given_id(base->id) == term.name;
+      return has_id;
     case Term::Kind::kClass:
-      return has_word(base->classes, term.name);
-    case Term::Kind::kLayer: {
-      const auto* group = std::get_if<GroupRecord>(&record);
-      return group && group->layer &&
-             (group->label.empty() ? given_id(group->id) : group->label) == term.name;
-    }
+      return has_class;
+    case Term::Kind::kLayer:
+      return group && group->layer && (base->label.empty() ? has_id : has_label);
     case Term::Kind::kShape:
-      break;
+      return has_shape;
+    case Term::Kind::kAnything:
+      return has_id || has_class || has_label || has_shape;
   }
-  const auto* path = std::get_if<PathRecord>(&record);
-  return path && (path->shape.empty() ? PathRecord::kType : path->shape) == term.name;
+  return false;
+}
+
+// Containers stand before their members.
+std::vector<std::size_t> selected_by(const Document& document,
+                                     std::span<const RecordSelector> selectors) {
+  const Containers containers(document);
+  std::vector<std::size_t> result(document.records.size(), kNotSelected);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Record& record = document.records[i];
+    if (!is_drawn(record)) continue;
+    const std::size_t around = containers.of(i);
+    if (around != Containers::kNone) result[i] = result[around];
+    for (std::size_t j = 0; j < selectors.size(); ++j) {
+      if (selectors[j].matches(record)) result[i] = j;
+    }
+  }
+  return result;
 }
 
 bool keep_selected(Document& document, const RecordSelector& selector) {

@@ -89,6 +89,62 @@ TEST(RecordSelector, RefusesOtherForms) {
   }
 }
 
+TEST(RecordSelector, BareWordsNameWhateverIsCalledSoIfAsked) {
+  const auto names = [](const Document& document, std::string_view text) {
+    std::vector<std::string> ids;
+    for (const Record& record : document.records) {
+      if (RecordSelector(text, BareWord::kAnything).matches(record)) {
+        ids.push_back(base_of(record)->id);
+      }
+    }
+    return ids;
+  };
+  EXPECT_THAT(names(house(), "sky"), ElementsAre("sky"));
+  EXPECT_THAT(names(house(), "wood"), ElementsAre("door"));
+  EXPECT_THAT(names(house(), "rect"), ElementsAre("window"));
+  EXPECT_THAT(names(house(), "Outer walls"), ElementsAre("walls"));
+  EXPECT_THAT(names(house(), "Outer"), IsEmpty());
+  EXPECT_THAT(names(house(), "sky, wood"), ElementsAre("door", "sky"));
+  EXPECT_THAT(names(house(), ".sky"), IsEmpty()) << "a mark says what is meant";
+  for (const char* text : {"", "rect.wide", "g > path", "[id]", "a:b"}) {
+    EXPECT_THROW(RecordSelector(text, BareWord::kAnything), Error) << text;
+  }
+}
+
+// The terms that select the records of the house; "-" for none.
+std::vector<std::string> selectors_of_house(const std::vector<std::string>& texts) {
+  std::vector<RecordSelector> selectors;
+  for (const std::string& text : texts) selectors.emplace_back(text);
+  std::vector<std::string> result;
+  for (const std::size_t place : selected_by(house(), selectors)) {
+    result.push_back(place == kNotSelected ? "-" : texts[place]);
+  }
+  return result;
+}
+
+// The house: walls (door, inner (brick), window), sky.
+TEST(SelectedBy, TheInnermostNameWins) {
+  EXPECT_THAT(selectors_of_house({"#door", "#inner", "#walls"}),
+              ElementsAre("#walls", "#door", "#inner", "#inner", "#walls", "-"));
+  EXPECT_THAT(selectors_of_house({"#walls", "#inner", "#door"}),
+              ElementsAre("#walls", "#door", "#inner", "#inner", "#walls", "-"));
+}
+
+TEST(SelectedBy, OfTwoThatNameTheSameTheLastWins) {
+  EXPECT_THAT(selectors_of_house({"#door", ".wood"}),
+              ElementsAre("-", ".wood", "-", "-", "-", "-"));
+  EXPECT_THAT(selectors_of_house({".wood", "#door"}),
+              ElementsAre("-", "#door", "-", "-", "-", "-"));
+}
+
+TEST(SelectedBy, NothingSelectsWhatIsNotDrawn) {
+  GradientRecord gradient;
+  gradient.id = "red";
+  const RecordSelector selector("#red");
+  EXPECT_THAT(selected_by({{}, {gradient, path("red~2")}}, {&selector, 1}),
+              ElementsAre(kNotSelected, 0));
+}
+
 TEST(KeepSelected, KeepsAGroupsMembersAndWhatIsAroundIt) {
   EXPECT_THAT(kept(house(), "#inner"), ElementsAre("walls", "inner", "brick"));
 }
