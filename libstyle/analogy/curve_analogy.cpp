@@ -132,7 +132,8 @@ class CurveAnalogy::Implementation {
     if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
   }
 
-  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held) const;
+  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held,
+                   std::uint64_t variant) const;
 
   const Example& example() const { return example_; }
   double longest_curve() const { return kMostSteps * example_.step(); }
@@ -145,7 +146,7 @@ class CurveAnalogy::Implementation {
   };
 
   DrawnPart draw_line(const Polyline& line, std::span<const double> held_lengths,
-                      const RandomStream& random, std::uint64_t part) const;
+                      const RandomStream& random, std::uint64_t part, std::uint64_t variant) const;
   std::vector<ChainState> walk_randomly(const StyleGrid& grid, bool closed,
                                         std::span<const double> held, const RandomStream& random,
                                         std::uint64_t first) const;
@@ -161,7 +162,8 @@ class CurveAnalogy::Implementation {
 };
 
 StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place,
-                                               std::span<const double> held) const {
+                                               std::span<const double> held,
+                                               std::uint64_t variant) const {
   for (const Point p : curve.points) {
     if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
   }
@@ -175,15 +177,15 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
       split_into_lines(curve, corner_angle, kCornerReach * example_.feature_along());
   if (lines.empty()) return unchanged(curve);
 
-  const RandomStream random(parameters_.seed, place);
+  const RandomStream random(parameters_.seed + variant, place);
   const double curve_length = arc_length(curve);
   StyledCurve result;
   result.curve.closed = curve.closed;
   double total = 0, scaled = 0;
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
-    DrawnPart drawn =
-        draw_line(lines[part].line, lengths_on(lines[part], curve_length, held), random, part);
+    DrawnPart drawn = draw_line(lines[part].line, lengths_on(lines[part], curve_length, held),
+                                random, part, variant);
     const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
     if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
     const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
@@ -206,7 +208,7 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
 
 CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
     const Polyline& line, std::span<const double> held_lengths, const RandomStream& random,
-    std::uint64_t part) const {
+    std::uint64_t part, std::uint64_t variant) const {
   const StyleGrid grid(line, example_, parameters_);
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     StyledCurve plain = unchanged(line);
@@ -217,7 +219,7 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
   if (search_) {
     for (double& place : held) place = grid.length_at(place);
     const double scale = grid.line_scale();
-    LineSearch::Result drawn = search_->draw(line, scale, held, random.bits(part) >> 16);
+    LineSearch::Result drawn = search_->draw(line, scale, held, random.bits(part) >> 16, variant);
     return {std::move(drawn.line), std::move(drawn.runs), scale * grid.length()};
   }
   const double blur = grid.line_scale() * example_.feature_along();
@@ -290,8 +292,8 @@ CurveAnalogy::CurveAnalogy(CurveAnalogy&&) noexcept = default;
 CurveAnalogy& CurveAnalogy::operator=(CurveAnalogy&&) noexcept = default;
 
 StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place,
-                               std::span<const double> held) const {
-  return implementation_->draw(curve, place, held);
+                               std::span<const double> held, std::uint64_t variant) const {
+  return implementation_->draw(curve, place, held, variant);
 }
 
 double CurveAnalogy::longest_curve() const { return implementation_->longest_curve(); }

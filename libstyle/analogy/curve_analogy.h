@@ -72,8 +72,9 @@ class CurveAnalogy {
   //
   // `held` are lengths along the curve, rising, at which it passes through its own place exactly,
   // as it does at its ends, so that lines that meet it there still do. Not if keep_ends is false.
-  StyledCurve draw(const Polyline& curve, std::uint64_t place,
-                   std::span<const double> held = {}) const;
+  // `variant` is added to the seed.
+  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held = {},
+                   std::uint64_t variant = 0) const;
 
   // A million steps of the example: more would take hours, and hardly be what was meant.
   double longest_curve() const;

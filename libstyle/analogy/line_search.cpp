@@ -75,12 +75,13 @@ LineSearch::LineSearch(const Example& example, const CurveAnalogyParameters& par
 }
 
 LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
-                                    std::span<const double> held, std::uint64_t place) const {
+                                    std::span<const double> held, std::uint64_t place,
+                                    std::uint64_t variant) const {
   const ArcLength along(line);
   std::vector<CurveConstraint> constraints = held_places(along, held);
   for (CurveConstraint& constraint : constraints) constraint.position *= 1 / scale;
   const SearchedCurve drawn =
-      search_.draw(scaled(with_length_parameter(line), 1 / scale), constraints, place);
+      search_.draw(scaled(with_length_parameter(line), 1 / scale), constraints, place, variant);
 
   Result result{{scaled(drawn.curve, scale).polyline, {}}, find_runs(drawn)};
   for (const double t : drawn.curve.t) result.line.lengths.push_back(t * along.total());

@@ -25,9 +25,9 @@ class LineSearch {
   };
 
   // `scale` is the size of the style on this line. At the lengths `held`, rising, the line keeps
-  // its place exactly: hard constraints. `place` is below 2^48.
-  Result draw(const Polyline& line, double scale, std::span<const double> held,
-              std::uint64_t place) const;
+  // its place exactly: hard constraints. `place` is below 2^48. `variant` is added to the seed.
+  Result draw(const Polyline& line, double scale, std::span<const double> held, std::uint64_t place,
+              std::uint64_t variant) const;
 
  private:
   std::vector<ChainRun> find_runs(const SearchedCurve& drawn) const;

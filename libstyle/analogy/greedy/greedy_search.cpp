@@ -77,7 +77,7 @@ class GreedySearch::Implementation {
   Implementation(std::span<const SearchExample> examples, const SearchParameters& parameters);
 
   SearchedCurve draw(const SampledCurve& target, std::span<const CurveConstraint> constraints,
-                     std::uint64_t place) const;
+                     std::uint64_t place, std::uint64_t variant) const;
   SearchedCurve synthesize(double length, std::span<const CurveConstraint> constraints,
                            std::uint64_t place) const;
   double finest_spacing() const { return finest_spacing_; }
@@ -91,6 +91,7 @@ class GreedySearch::Implementation {
     Pyramid target;
     std::vector<CurveConstraint> given, constraints;  // in px and in internal units
     std::uint64_t place = 0;
+    std::uint64_t seed = 0;
     double length = 0;  // of the curve to be
   };
 
@@ -203,6 +204,7 @@ GreedySearch::Implementation::Run GreedySearch::Implementation::begin(
     std::span<const CurveConstraint> constraints, std::uint64_t place) const {
   Run run;
   run.place = place;
+  run.seed = parameters_.seed;
   run.given = checked(constraints);
   run.constraints = run.given;
   for (CurveConstraint& constraint : run.constraints) constraint.position *= unit();
@@ -211,9 +213,10 @@ GreedySearch::Implementation::Run GreedySearch::Implementation::begin(
 
 SearchedCurve GreedySearch::Implementation::draw(const SampledCurve& target,
                                                  std::span<const CurveConstraint> constraints,
-                                                 std::uint64_t place) const {
+                                                 std::uint64_t place, std::uint64_t variant) const {
   if (!analogy_) throw Error("the examples have no unfiltered curves; they serve for synthesis");
   Run run = begin(constraints, place);
+  run.seed += variant;
   run.target = pyramid(checked(target, "a curve to be drawn"), parameters_of(run.constraints));
   run.length = arc_length(run.target.back().curve.polyline) * examples_.back().growth();
   return finish(search(run), run);
@@ -268,7 +271,7 @@ DrawnLevel GreedySearch::Implementation::search(const Run& run) const {
 }
 
 DrawnLevel GreedySearch::Implementation::grow(LevelSearch& search, const Run& run) const {
-  const RandomStream random = pass_random(parameters_.seed, run.place, 0, 0);
+  const RandomStream random = pass_random(run.seed, run.place, 0, 0);
   if (analogy_) return search.grow_along_target(random);
   // Detail adds to the length of what is grown now as much as it does in the example.
   const double share =
@@ -295,7 +298,7 @@ void GreedySearch::Implementation::refine(LevelSearch& search, DrawnLevel& drawn
                                           int level, int passes) const {
   for (int pass = 1; pass <= passes; ++pass) {
     const bool backward = parameters_.alternate_passes && pass % 2 == 0;
-    search.refine(drawn, backward, pass_random(parameters_.seed, run.place, level, pass));
+    search.refine(drawn, backward, pass_random(run.seed, run.place, level, pass));
     const double length = arc_length(drawn.curve.polyline);
     if (!(length <= parameters_.longest_growth * run.length)) {
       throw Error(
@@ -338,9 +341,9 @@ GreedySearch::GreedySearch(GreedySearch&&) noexcept = default;
 GreedySearch& GreedySearch::operator=(GreedySearch&&) noexcept = default;
 
 SearchedCurve GreedySearch::draw(const SampledCurve& target,
-                                 std::span<const CurveConstraint> constraints,
-                                 std::uint64_t place) const {
-  return implementation_->draw(target, constraints, place);
+                                 std::span<const CurveConstraint> constraints, std::uint64_t place,
+                                 std::uint64_t variant) const {
+  return implementation_->draw(target, constraints, place, variant);
 }
 
 SearchedCurve GreedySearch::synthesize(double length, std::span<const CurveConstraint> constraints,

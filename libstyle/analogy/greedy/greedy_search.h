@@ -75,9 +75,10 @@ class GreedySearch {
   GreedySearch& operator=(GreedySearch&&) noexcept;
 
   // B' for a target, whose t is that of the constraints. `place` tells the curves of a drawing
-  // apart. The examples have unfiltered curves. Safe to call from several threads.
+  // apart, `variant` is added to the seed. The examples have unfiltered curves. Safe to call from
+  // several threads.
   SearchedCurve draw(const SampledCurve& target, std::span<const CurveConstraint> constraints = {},
-                     std::uint64_t place = 0) const;
+                     std::uint64_t place = 0, std::uint64_t variant = 0) const;
 
   // A new curve about `length` px long (> 0), t = 0 .. 1. The examples have no unfiltered curves.
   SearchedCurve synthesize(double length, std::span<const CurveConstraint> constraints = {},
