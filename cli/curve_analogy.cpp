@@ -13,6 +13,7 @@
 #include "converters/svg/document_input.h"
 #include "libstyle/analogy/drawing.h"
 #include "libstyle/analogy/example_document.h"
+#include "libstyle/analogy/style_set.h"
 #include "libstyle/base/error.h"
 #include "libstyle/base/number.h"
 #include "libstyle/curves/writer.h"
@@ -109,26 +110,13 @@ CurveAnalogyParameters checked_parameters(const Settings& settings) {
   return parameters;
 }
 
-// The style for each document: the same for all unless its scale depends on the document.
-class StyleFitter {
- public:
-  StyleFitter(const Settings& settings, Session& session)
-      : parameters_(checked_parameters(settings)),
-        fits_(settings.scale == "auto"),
-        pairs_(read_pairs(settings, session)) {}
-
-  const CurveAnalogy& style_for(const Document& document) {
-    if (fits_) parameters_.scale = fitting_scale(document, pairs_, parameters_);
-    if (fits_ || !style_) style_.emplace(pairs_, parameters_);
-    return *style_;
-  }
-
- private:
-  CurveAnalogyParameters parameters_;
-  bool fits_;
-  std::vector<ExamplePair> pairs_;
-  std::optional<CurveAnalogy> style_;
-};
+StyleSet read_style(const Settings& settings, Session& session) {
+  StyleExample style;
+  style.parameters = checked_parameters(settings);
+  style.fits = settings.scale == "auto";
+  style.pairs = read_pairs(settings, session);
+  return StyleSet(std::move(style));
+}
 
 // Warnings of the library know a line; the file is known here.
 WarningHandler warnings_from(const std::string& input, Session& session) {
@@ -138,14 +126,15 @@ WarningHandler warnings_from(const std::string& input, Session& session) {
 }
 
 void run(const Settings& settings, Session& session) {
-  StyleFitter fitter(settings, session);
+  StyleSet style = read_style(settings, session);
   OutputFile output(settings.output);
   for (const std::string& name : settings.inputs) {
     DocumentInput input(name, session.warning_handler());
     Document document;
     while (input.read(document)) {
-      draw_again(document, fitter.style_for(document),
-                 {settings.threads, session.progress_handler(), warnings_from(name, session)});
+      const WarningHandler warn = warnings_from(name, session);
+      draw_again(document, style.plan(document, warn),
+                 {settings.threads, session.progress_handler(), warn});
       document.header.history.push_back(session.history());
       write_document(output, document);
     }

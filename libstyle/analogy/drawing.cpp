@@ -6,15 +6,12 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "libstyle/analogy/plain_lines.h"
-#include "libstyle/analogy/style_grid.h"
 #include "libstyle/base/number.h"
 #include "libstyle/base/parallel.h"
 #include "libstyle/geometry/arc_length.h"
@@ -29,7 +26,6 @@ namespace {
 constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn along
 constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
 constexpr double kGrid = 1e4;           // coordinates to a px
-constexpr double kRoomyLine = 3;        // times what the style needs
 constexpr double kMeeting = 1e-3;       // of the drawing's diagonal: ends that near a line meet it
 
 bool comes_before(const Path* a, const Path* b) {
@@ -251,7 +247,7 @@ void find_meetings(std::span<FlatPath> paths) {
 }
 
 PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
-                      std::uint64_t place) {
+                      std::uint64_t place, std::uint64_t variant) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
@@ -262,7 +258,8 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
-    const StyledCurve drawn = style.draw(flats[i].polyline, (place << 24) + i, flat.held[i]);
+    const StyledCurve drawn =
+        style.draw(flats[i].polyline, (place << 24) + i, flat.held[i], variant);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
     const NewSubpath fresh =
@@ -279,99 +276,107 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   return measure;
 }
 
-// For each path the first one that is the same curve.
-std::vector<std::size_t> first_equals(std::span<PathRecord* const> records) {
+// ---- A drawing --------------------------------------------------------------------------------
+
+struct StyledPath {
+  PathRecord* record;
+  std::size_t style;            // kNone: it stays as it is
+  const CurveAnalogy* analogy;  // null: it stays as it is
+};
+
+std::vector<StyledPath> styled_paths(Document& document, const StylePlan& plan) {
+  std::vector<StyledPath> result;
+  for (std::size_t i = 0; i < document.records.size(); ++i) {
+    auto* record = std::get_if<PathRecord>(&document.records[i]);
+    if (!record) continue;
+    const std::size_t style = plan.style_of_record[i];
+    const bool stays = style == StylePlan::kNone;
+    result.push_back({record, style, stays ? nullptr : plan.styles[style].analogy});
+  }
+  return result;
+}
+
+// For each path the first one that is the same curve, whatever its style.
+std::vector<std::size_t> first_equals(std::span<const StyledPath> paths) {
   std::map<const Path*, std::size_t, decltype(&comes_before)> seen(&comes_before);
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    result.push_back(seen.try_emplace(&records[i]->path, i).first->second);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    result.push_back(seen.try_emplace(&paths[i].record->path, i).first->second);
   }
   return result;
 }
 
-std::vector<PathRecord*> paths_of(Document& document) {
-  std::vector<PathRecord*> result;
-  for (Record& record : document.records) {
-    if (auto* path = std::get_if<PathRecord>(&record)) result.push_back(path);
+// Of paths that stay only the ends matter, which the eye of any style sees exactly.
+std::vector<FlatPath> flatten_paths(std::span<const StyledPath> paths, const CurveAnalogy& any) {
+  std::vector<FlatPath> result;
+  for (const StyledPath& path : paths) {
+    result.push_back(flatten_path(path.record->path, path.analogy ? *path.analogy : any));
   }
+  find_meetings(result);
   return result;
 }
 
-void warn_if_long(std::span<PathRecord* const> paths, std::span<const PathMeasure> measures,
+void warn_if_long(std::span<const StyledPath> paths, std::span<const PathMeasure> measures,
                   const WarningHandler& warn) {
   for (std::size_t i = 0; warn && i < paths.size(); ++i) {
     if (!measures[i].too_long) continue;
-    warn({{.file = "", .line = paths[i]->line},
-          std::string(given_id(paths[i]->id)),
+    warn({{.file = "", .line = paths[i].record->line},
+          std::string(given_id(paths[i].record->id)),
           "is over a million times as long as a step of the style; it stays as it is"});
   }
 }
 
-void warn_if_small(std::span<const PathMeasure> measures, const WarningHandler& warn) {
+void warn_if_small(std::span<const StyledPath> paths, std::span<const PathMeasure> measures,
+                   std::size_t style, const std::string& name, const WarningHandler& warn) {
   double length = 0, small = 0;
-  for (const PathMeasure& measure : measures) {
-    length += measure.length;
-    small += measure.small_length;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (paths[i].style != style) continue;
+    length += measures[i].length;
+    small += measures[i].small_length;
   }
   if (!warn || !(small > length / 2)) return;
   Warning warning;
-  warning.message = "the style is large for this drawing: ";
+  warning.message = name + " is large for this drawing: ";
   append_number(warning.message, std::round(100 * small / length));
   warning.message +=
-      " % of the lines have it at less than half its size; draw it at a smaller scale";
+      " % of its lines have it at less than half its size; draw it at a smaller scale";
   warn(warning);
 }
 
 }  // namespace
 
-void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {
-  const std::vector<PathRecord*> paths = paths_of(document);
+void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
+  const std::vector<StyledPath> paths = styled_paths(document, plan);
+  const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
+  if (any == paths.end()) return;
   const std::vector<std::size_t> places = first_equals(paths);
-  std::vector<FlatPath> flat(paths.size());
-  for (std::size_t i = 0; i < paths.size(); ++i) flat[i] = flatten_path(paths[i]->path, style);
-  find_meetings(flat);
+  const std::vector<FlatPath> flat = flatten_paths(paths, *any->analogy);
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(paths.size(), options.threads, [&](std::size_t i) {
-    measures[i] = draw_path(*paths[i], flat[places[i]], style, places[i]);
+    const StyledPath& path = paths[i];
+    const std::size_t place = places[i];
+    if (path.analogy) {
+      const bool alike = path.style == paths[place].style;
+      measures[i] =
+          draw_path(*path.record, flat[alike ? place : i], *path.analogy, place, options.variant);
+    }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));
   });
   warn_if_long(paths, measures, options.warn);
-  warn_if_small(measures, options.warn);
+  for (std::size_t style = 0; style < plan.styles.size(); ++style) {
+    warn_if_small(paths, measures, style, plan.styles[style].name, options.warn);
+  }
 }
 
-double fitting_scale(const Document& document, std::span<const ExamplePair> pairs,
-                     const CurveAnalogyParameters& parameters) {
-  CurveAnalogyParameters unscaled = parameters;
-  unscaled.scale = 1;
-  const Example example(pairs, unscaled);
-  const double room = room_needed(example);
-  const double corner_angle = parameters.corner_angle * std::numbers::pi / 180;
-  std::vector<double> lengths;
-  double total = 0;
-  for (const Record& record : document.records) {
-    const auto* path = std::get_if<PathRecord>(&record);
-    if (!path) continue;
-    const Box box = path->path.control_box();
-    const double size = std::max(box.width(), box.height());
-    if (!(size > 0)) continue;
-    for (const FlattenedSubpath& flat : flatten(path->path, 0.01 * size)) {
-      for (const PlainLine& line : split_into_lines(flat.polyline, corner_angle, 0.05 * size)) {
-        lengths.push_back(arc_length(line.line));
-        total += lengths.back();
-      }
-    }
-  }
-  std::ranges::sort(lengths);
-  double sum = 0;
-  for (const double length : lengths) {
-    sum += length;
-    if (sum >= total / 2) return length / (kRoomyLine * room);
-  }
-  return 1;
+void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {
+  StylePlan plan;
+  plan.styles.push_back({.analogy = &style});
+  plan.style_of_record.resize(document.records.size(), 0);
+  draw_again(document, plan, options);
 }
 
 }  // namespace libstyle

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole drawing in the style of an example.
+// A whole drawing in the style of an example, or each of its parts in another.
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "libstyle/analogy/curve_analogy.h"
 #include "libstyle/base/progress.h"
@@ -16,6 +19,21 @@ struct DrawingOptions {
   int threads = 0;  // 0: one a core; does not change the result
   ProgressHandler progress;
   WarningHandler warn;
+  std::uint64_t variant = 0;  // added to the seeds
+};
+
+// What the parts of a drawing are drawn in.
+struct StylePlan {
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  struct Style {
+    const CurveAnalogy* analogy = nullptr;  // null if nothing is drawn in it
+    std::string name = "the style";         // in warnings
+  };
+
+  std::vector<Style> styles;
+  // For each record the place in `styles` of what its path is drawn in. kNone: it stays as it is.
+  std::vector<std::size_t> style_of_record;
 };
 
 // Draws every subpath of every path record again; all else stays. The outcome is smooth paths of
@@ -25,14 +43,14 @@ struct DrawingOptions {
 // except where curves begin and end. Lines that met, at their ends or one with the middle of
 // another, still meet.
 //
-// Warns of curves that are too long for the style, and when most of the drawing had to be drawn
-// with the style at less than half its size.
-void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options);
+// Lines of different styles meet as well, and lines that stay with lines that do not. Which styles
+// other parts have does not change how a part is drawn.
+//
+// Warns of curves that are too long for their style, and of each style when most of its lines had
+// to be drawn with it at less than half its size.
+void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options);
 
-// The scale at which the style has room: about three times what the lines of the drawing need at
-// the least, by the median over their length. 1 for a drawing without lines. Lines go from corner
-// to corner.
-double fitting_scale(const Document& document, std::span<const ExamplePair> pairs,
-                     const CurveAnalogyParameters& parameters);
+// All of it in one style.
+void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options);
 
 }  // namespace libstyle

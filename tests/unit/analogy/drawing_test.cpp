@@ -3,34 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "libstyle/curves/writer.h"
 #include "libstyle/geometry/flatten.h"
-#include "libstyle/geometry/path_data.h"
 #include "tests/support/matchers.h"
+#include "tests/unit/analogy/wavy_drawing.h"
 
 namespace libstyle {
 namespace {
-
-std::vector<ExamplePair> wavy_pairs() {
-  Polyline wave;
-  for (int i = 0; i <= 1600; ++i) {
-    const double x = 0.25 * i;
-    wave.points.push_back({x, (3 + std::sin(x / 37)) * std::sin(2 * std::numbers::pi * x / 16)});
-  }
-  ExamplePair pair;
-  pair.filtered = with_length_parameter(wave);
-  return {pair};
-}
-
-PathRecord path_record(std::string id, std::string_view data) {
-  PathRecord record;
-  record.id = std::move(id);
-  record.path = parse_path_data(data);
-  return record;
-}
 
 const CurveAnalogy& wavy_style() {
   static const CurveAnalogy style(wavy_pairs(), {});
@@ -50,6 +29,14 @@ std::string text_of(const Document& document) {
   TextSink sink;
   write_document(sink, document);
   return sink.text;
+}
+
+double distance_to(const Path& path, Point place) {
+  double nearest = 1e9;
+  for (const FlattenedSubpath& flat : flatten(path, 1e-3)) {
+    for (const Point p : flat.polyline.points) nearest = std::min(nearest, distance(p, place));
+  }
+  return nearest;
 }
 
 TEST(DrawAgain, ChangesOnlyTheShapeOfPaths) {
@@ -96,11 +83,111 @@ TEST(DrawAgain, LinesThatEndOnOthersStillMeetThem) {
   document.records.push_back(path_record("door", "M110.5 0 L110.5 80"));
   const Document result = drawn(document);
   EXPECT_EQ(path_at(result, 1).path.vertices().front(), (Point{110.5, 0}));
-  double nearest = 1e9;
-  for (const FlattenedSubpath& flat : flatten(path_at(result, 0).path, 1e-3)) {
-    for (const Point p : flat.polyline.points) nearest = std::min(nearest, distance(p, {110.5, 0}));
+  // About 0.9 px where places are not held.
+  EXPECT_LT(distance_to(path_at(result, 0).path, {110.5, 0}), 0.5);
+}
+
+// ---- Several styles -------------------------------------------------------------------------
+
+// The same wave, twice as large.
+const CurveAnalogy& large_style() {
+  static const CurveAnalogy style(wavy_pairs(), [] {
+    CurveAnalogyParameters parameters;
+    parameters.scale = 2;
+    return parameters;
+  }());
+  return style;
+}
+
+constexpr std::size_t kWavy = 0, kLarge = 1, kStays = StylePlan::kNone;
+
+Document drawn_in(std::vector<std::size_t> style_of_record, Document document,
+                  WarningHandler warn = {}) {
+  const StylePlan plan = {{{&wavy_style(), "wavy"}, {&large_style(), "large"}},
+                          std::move(style_of_record)};
+  draw_again(document, plan, {.threads = 2, .progress = {}, .warn = std::move(warn)});
+  return document;
+}
+
+// A wall, a door that stands on it, and a fence that goes on where the wall ends.
+Document garden() {
+  Document document;
+  document.records.push_back(path_record("wall", "M0 0 L300 0"));
+  document.records.push_back(path_record("door", "M110.5 0 L110.5 80"));
+  document.records.push_back(path_record("fence", "M300 0 C350 0 420 30 500 90"));
+  return document;
+}
+
+TEST(DrawAgain, OneStyleForAllIsAsOneStyle) {
+  EXPECT_EQ(drawn_in({kWavy, kWavy, kWavy}, garden()), drawn(garden()));
+}
+
+TEST(DrawAgain, WhatHasNoStyleStaysAsItIs) {
+  const Document result = drawn_in({kStays, kWavy, kStays}, garden());
+  EXPECT_EQ(path_at(result, 0), path_at(garden(), 0));
+  EXPECT_NE(path_at(result, 1).path, path_at(garden(), 1).path);
+  EXPECT_EQ(path_at(result, 2), path_at(garden(), 2));
+  EXPECT_EQ(drawn_in({kStays, kStays, kStays}, garden()), garden());
+}
+
+TEST(DrawAgain, StylesOfOtherPartsDoNotChangeAPart) {
+  const Document wavy = drawn_in({kWavy, kWavy, kWavy}, garden());
+  const Document large = drawn_in({kLarge, kLarge, kLarge}, garden());
+  for (const std::size_t other : {kLarge, kStays}) {
+    EXPECT_EQ(path_at(drawn_in({kWavy, other, other}, garden()), 0), path_at(wavy, 0));
+    EXPECT_EQ(path_at(drawn_in({other, kWavy, other}, garden()), 1), path_at(wavy, 1));
+    EXPECT_EQ(path_at(drawn_in({other, other, kWavy}, garden()), 2), path_at(wavy, 2));
   }
-  EXPECT_LT(nearest, 0.5);  // about 0.9 px where places are not held
+  EXPECT_EQ(path_at(drawn_in({kWavy, kLarge, kStays}, garden()), 1), path_at(large, 1));
+}
+
+TEST(DrawAgain, LinesOfDifferentStylesStillMeet) {
+  for (const std::vector<std::size_t>& styles :
+       std::vector<std::vector<std::size_t>>{{kLarge, kWavy, kStays}, {kWavy, kStays, kLarge}}) {
+    const Document result = drawn_in(styles, garden());
+    EXPECT_EQ(path_at(result, 0).path.vertices().back(), (Point{300, 0}));
+    EXPECT_EQ(path_at(result, 1).path.vertices().front(), (Point{110.5, 0}));
+    EXPECT_EQ(path_at(result, 2).path.vertices().front(), (Point{300, 0}));
+    EXPECT_LT(distance_to(path_at(result, 0).path, {110.5, 0}), 0.5);
+  }
+}
+
+TEST(DrawAgain, EqualCurvesOfDifferentStylesAreEachDrawnInTheirOwn) {
+  Document document;
+  for (const char* id : {"filling", "outline", "shadow"}) {
+    document.records.push_back(path_record(id, "M0 0 C60 -80 140 80 200 0 L100 150 Z"));
+  }
+  const Document result = drawn_in({kLarge, kWavy, kWavy}, document);
+  EXPECT_EQ(path_at(result, 0).path, path_at(drawn_in({kLarge, kLarge, kLarge}, document), 0).path);
+  EXPECT_EQ(path_at(result, 1).path, path_at(drawn(document), 1).path);
+  EXPECT_EQ(path_at(result, 2).path, path_at(result, 1).path);
+}
+
+TEST(DrawAgain, WarnsOfTheStyleThatIsTooLarge) {
+  Document document;
+  document.records.push_back(path_record("small", "M0 0 L14 0 L14 14 L0 14 Z"));
+  document.records.push_back(path_record("large", "M0 0 L900 0"));
+  std::vector<std::string> warnings;
+  drawn_in({kLarge, kWavy}, document,
+           [&](const Warning& warning) { warnings.push_back(warning.message); });
+  EXPECT_THAT(warnings, testing::ElementsAre(testing::HasSubstr("large is large")));
+}
+
+TEST(DrawAgain, AVariantIsWhatItsSeedDraws) {
+  for (const AnalogyMethod method : {AnalogyMethod::kChain, AnalogyMethod::kGreedy}) {
+    CurveAnalogyParameters parameters;
+    parameters.method = method;
+    parameters.samples = 300;
+    const CurveAnalogy first(wavy_pairs(), parameters);
+    parameters.seed += 2;
+    const CurveAnalogy third(wavy_pairs(), parameters);
+    Document expected = garden(), variant = garden(), base = garden();
+    draw_again(expected, third, {.threads = 1, .progress = {}, .warn = {}});
+    draw_again(variant, first, {.threads = 1, .progress = {}, .warn = {}, .variant = 2});
+    draw_again(base, first, {.threads = 1, .progress = {}, .warn = {}});
+    EXPECT_EQ(variant, expected);
+    EXPECT_NE(variant, base);
+  }
 }
 
 TEST(DrawAgain, EverySubpathStaysASubpathClosedAsBefore) {
@@ -236,15 +323,6 @@ TEST(DrawAgain, TellsHowFarItIs) {
   draw_again(document, wavy_style(),
              {.threads = 2, .progress = [&](double done) { told.push_back(done); }, .warn = {}});
   EXPECT_THAT(told, testing::ElementsAre(0.2, 0.4, 0.6, 0.8, 1.0));
-}
-
-TEST(FittingScale, GrowsWithTheDrawing) {
-  Document document;
-  document.records.push_back(path_record("box", "M0 0 L200 0 L200 100 L0 100 Z"));
-  const double scale = fitting_scale(document, wavy_pairs(), {});
-  std::get<PathRecord>(document.records[0]).path.transform(Transform::scaling(3, 3));
-  EXPECT_NEAR(fitting_scale(document, wavy_pairs(), {}), 3 * scale, 1e-9);
-  EXPECT_EQ(fitting_scale({}, wavy_pairs(), {}), 1);
 }
 
 }  // namespace
