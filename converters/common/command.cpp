@@ -77,6 +77,22 @@ std::string shell_quoted(const std::string& word) {
   return text + "'";
 }
 
+std::string file_name(std::string_view path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// "meadow=styles/plain.svg:styles/grass.svg" as "meadow=plain.svg:grass.svg".
+std::string without_folders(std::string_view value) {
+  const std::size_t files = value.find('=') + 1;
+  std::string result(value.substr(0, files));
+  value.remove_prefix(files);
+  for (std::size_t colon; (colon = value.find(':')) != std::string_view::npos;) {
+    result += file_name(value.substr(0, colon)) + ':';
+    value.remove_prefix(colon + 1);
+  }
+  return result + file_name(value);
+}
+
 std::string history_of(const std::string& program, const std::vector<Option>& options,
                        const std::vector<CLI::Option*>& parsed) {
   std::string line = program;
@@ -88,9 +104,8 @@ std::string history_of(const std::string& program, const std::vector<Option>& op
       continue;
     }
     for (std::string value : parsed[i]->results()) {
-      if (options[i].history == HistoryUse::kFile) {
-        value = std::filesystem::path(value).filename().string();
-      }
+      if (options[i].history == HistoryUse::kFile) value = file_name(value);
+      if (options[i].history == HistoryUse::kFilesOf) value = without_folders(value);
       line += ' ' + name + ' ' + shell_quoted(value);
     }
   }

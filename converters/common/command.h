@@ -35,6 +35,7 @@ class UsageError : public std::runtime_error {
 enum class HistoryUse : std::uint8_t {
   kRecorded,  // name and value
   kFile,      // name, and the value without its folder
+  kFilesOf,   // name, and the value WHAT=FILE:FILE without the folders of its files
   kLeftOut    // threads, progress, where files lie
 };
 

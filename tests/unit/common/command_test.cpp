@@ -20,7 +20,7 @@ using ::testing::internal::GetCapturedStdout;
 struct Sample {
   std::uint64_t seed = 1;
   std::string style;
-  std::vector<std::string> examples;
+  std::vector<std::string> examples, parts;
   std::string mode = "fast";
   bool strict = false;
   int threads = 0;
@@ -35,6 +35,7 @@ struct Sample {
             {{"--seed,-s", "N", "the seed", &seed},
              {"--style", "FILE", "the style", &style, HistoryUse::kFile},
              {"--example", "FILE", "an example, may be given again", &examples},
+             {"--part", "WHAT=FILES", "the style of a part", &parts, HistoryUse::kFilesOf},
              {"--mode", "MODE", "how", &mode, HistoryUse::kRecorded, {"fast", "slow"}},
              {"--strict", "", "be strict", &strict},
              {"--scale", "FACTOR", "the scale", &scale},
@@ -74,6 +75,12 @@ TEST(Command, HistoryHoldsOnlyWhatDecidesTheResult) {
   Sample sample;
   sample.call({"--threads", "2", "--style", "some/where/my pen.svg", "--strict", "-s", "7", "-q"});
   EXPECT_EQ(sample.history, "sample --seed 7 --style 'my pen.svg' --strict");
+}
+
+TEST(Command, HistoryHoldsTheFilesOfPartsWithoutTheirFolders) {
+  Sample sample;
+  sample.call({"--part", "sea=a/b.svg", "--part", "layer:a/b=/c/d:e.svg:../f.svg@2"});
+  EXPECT_EQ(sample.history, "sample --part sea=b.svg --part layer:a/b=d:e.svg:f.svg@2");
 }
 
 TEST(Command, WrongUseIsOneLineAndExitTwo) {
