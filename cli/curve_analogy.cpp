@@ -3,11 +3,12 @@
 #include "libstyle/analogy/curve_analogy.h"
 
 #include <cmath>
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/style_option.h"
 #include "converters/common/command.h"
 #include "converters/common/files.h"
 #include "converters/svg/document_input.h"
@@ -26,6 +27,8 @@ struct Settings {
   std::string output = "-";
   std::string unfiltered;
   std::string filtered;
+  std::vector<std::string> styles;
+  std::optional<double> variants;
   std::string scale = "1";
   std::string invariance = "rotate";
   bool loose_ends = false;
@@ -45,12 +48,11 @@ Document read_example(const std::string& name, Session& session) {
   return document;
 }
 
-std::vector<ExamplePair> read_pairs(const Settings& settings, Session& session) {
-  if (settings.filtered.empty()) throw UsageError("give an example of the style: --filtered FILE");
-  const Document filtered = read_example(settings.filtered, session);
+std::vector<ExamplePair> read_pairs(const ExampleFiles& files, Session& session) {
+  const Document filtered = read_example(files.filtered, session);
   std::optional<Document> unfiltered;
-  if (!settings.unfiltered.empty()) unfiltered = read_example(settings.unfiltered, session);
-  return at_place({display_name(settings.filtered)},
+  if (!files.unfiltered.empty()) unfiltered = read_example(files.unfiltered, session);
+  return at_place({display_name(files.filtered)},
                   [&] { return example_pairs(unfiltered ? &*unfiltered : nullptr, filtered); });
 }
 
@@ -95,9 +97,9 @@ SearchParameters search_parameters(const Settings& settings) {
   return search;
 }
 
-CurveAnalogyParameters checked_parameters(const Settings& settings) {
+CurveAnalogyParameters checked_parameters(const Settings& settings, std::optional<double> scale) {
   CurveAnalogyParameters parameters = settings.parameters;
-  parameters.scale = parse_scale(settings.scale).value_or(1);
+  parameters.scale = scale.value_or(1);
   parameters.keep_ends = !settings.loose_ends;
   if (settings.invariance == "translate") parameters.invariance = Invariance::kTranslate;
   if (settings.method == "greedy" || settings.faithful) parameters.method = AnalogyMethod::kGreedy;
@@ -110,12 +112,32 @@ CurveAnalogyParameters checked_parameters(const Settings& settings) {
   return parameters;
 }
 
-StyleSet read_style(const Settings& settings, Session& session) {
-  StyleExample style;
-  style.parameters = checked_parameters(settings);
-  style.fits = settings.scale == "auto";
-  style.pairs = read_pairs(settings, session);
-  return StyleSet(std::move(style));
+StyleExample read_style(std::string name, const ExampleFiles& files, const Settings& settings,
+                        Session& session) {
+  const std::optional<double> scale =
+      parse_scale(files.scale.empty() ? settings.scale : files.scale);
+  StyleExample style{std::move(name), {}, checked_parameters(settings, scale), !scale};
+  style.pairs = read_pairs(files, session);
+  return style;
+}
+
+StyleSet read_styles(const Settings& settings, Session& session) {
+  std::vector<StyleOption> options;
+  for (const std::string& text : settings.styles) options.push_back(parse_style_option(text));
+  const bool has_rest = !settings.filtered.empty();
+  if (!has_rest && (options.empty() || !settings.unfiltered.empty())) {
+    throw UsageError("give an example of the style: --filtered FILE, or --style WHAT=FILE");
+  }
+  std::optional<StyleExample> rest;
+  if (has_rest) {
+    rest = read_style("the style", {settings.unfiltered, settings.filtered, {}}, settings, session);
+  }
+  StyleSet styles(std::move(rest));
+  for (StyleOption& option : options) {
+    styles.add(std::move(option.part),
+               read_style("--style " + option.what, option.files, settings, session));
+  }
+  return styles;
 }
 
 // Warnings of the library know a line; the file is known here.
@@ -125,18 +147,37 @@ WarningHandler warnings_from(const std::string& input, Session& session) {
   };
 }
 
+int variant_count(const Settings& settings) {
+  const int count = settings.variants ? whole_number(*settings.variants, "--variants") : 1;
+  if (count < 1) throw UsageError("--variants is 1 or more");
+  return count;
+}
+
+// What the outputs of `render -o '{name}.png'` are told apart by.
+std::string variant_name(const std::string& name, int number) {
+  return (name.empty() ? "unnamed" : name) + '-' + std::to_string(number);
+}
+
 void run(const Settings& settings, Session& session) {
-  StyleSet style = read_style(settings, session);
+  const int variants = variant_count(settings);
+  StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);
   for (const std::string& name : settings.inputs) {
     DocumentInput input(name, session.warning_handler());
     Document document;
     while (input.read(document)) {
-      const WarningHandler warn = warnings_from(name, session);
-      draw_again(document, style.plan(document, warn),
-                 {settings.threads, session.progress_handler(), warn});
-      document.header.history.push_back(session.history());
-      write_document(output, document);
+      DrawingOptions options{settings.threads, session.progress_handler(),
+                             warnings_from(name, session)};
+      const StylePlan plan = styles.plan(document, options.warn);
+      for (int i = 0; i < variants; ++i) {
+        Document variant = document;
+        if (settings.variants) variant.header.name = variant_name(document.header.name, i + 1);
+        variant.header.history.push_back(session.history());
+        options.variant = static_cast<std::uint64_t>(i);
+        draw_again(variant, plan, options);
+        write_document(output, variant);
+        options.warn = {};  // the first has said it
+      }
     }
   }
   output.commit();
@@ -149,13 +190,19 @@ Command describe(Settings& settings) {
       .summary = "draw curves in the style of an example",
       .synopsis = {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
                    "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
+                   "curve-analogy --style grass=plain.svg:grass.svg --style .sea=wavy.svg bay.svg",
                    "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg"},
       .options =
-          {{"--filtered", "FILE", "the example: lines drawn in the style (required)",
-            &settings.filtered, HistoryUse::kFile},
+          {{"--filtered", "FILE", "the example: lines drawn in the style", &settings.filtered,
+            HistoryUse::kFile},
            {"--unfiltered", "FILE", "the same lines, drawn plainly", &settings.unfiltered,
             HistoryUse::kFile},
+           {"--style", "WHAT=FILES",
+            "a style for a class, layer, id or element: [UNFILTERED:]FILTERED[@SCALE]",
+            &settings.styles, HistoryUse::kFilesOf},
            {"--seed", "N", "another number draws other lines in the same style", &p.seed},
+           {"--variants", "N", "so many of each drawing, one with each seed from --seed on",
+            &settings.variants},
            {"--scale", "FACTOR", "the size of the style: a factor, or auto to suit the drawing",
             &settings.scale},
            {"--invariance",

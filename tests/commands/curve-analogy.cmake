@@ -38,6 +38,76 @@ command_case(curve-analogy/endless-lines-stay-as-they-are
 command_case(curve-analogy/without-an-example
   RUN "curve-analogy drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: give an example of the style: --filtered FILE.*")
+command_case(curve-analogy/unfiltered-without-filtered
+  RUN "curve-analogy --unfiltered styles/wavy-plain.svg --style sea=styles/wavy.svg drawings/harbour.svg" EXIT 2
+  STDERR "~curve-analogy: give an example of the style: --filtered FILE, or --style WHAT=FILE.*")
+
+# Styles for parts. The sea of the harbour is four lines of class water in a layer "Sea".
+command_case(curve-analogy/a-class-a-layer-and-a-label-may-name-the-same
+  RUN [[curve-analogy --style Sea=styles/wavy.svg drawings/harbour.svg | tail -n +2 > $OUT/all
+        for what in .water layer:Sea sea '#sea' water 'water, none'; do
+          curve-analogy --style "$what=styles/wavy.svg" drawings/harbour.svg | tail -n +2 | cmp - $OUT/all || exit
+        done]])
+command_case(curve-analogy/what-no-style-names-stays-as-it-is
+  RUN "curve-analogy --style Sea=styles/wavy.svg drawings/harbour.svg | tail -n +2 | grep -v '\"in\":\"sea\"'"
+  SAME "svg2curves drawings/harbour.svg | tail -n +2 | grep -v '\"in\":\"sea\"'")
+command_case(curve-analogy/what-no-style-names-has-the-style-of-filtered
+  RUN "curve-analogy --style Sea=styles/wavy.svg --filtered styles/zigzag.svg drawings/harbour.svg | tail -n +2 | grep -v '\"in\":\"sea\"'"
+  SAME "curve-analogy --filtered styles/zigzag.svg drawings/harbour.svg | tail -n +2 | grep -v '\"in\":\"sea\"'")
+command_case(curve-analogy/a-style-for-everything-is-as-filtered
+  RUN "curve-analogy --style 'path,polyline,line,circle,rect=styles/grass-plain.svg:styles/grass.svg' drawings/harbour.svg | tail -n +2"
+  SAME "curve-analogy --unfiltered styles/grass-plain.svg --filtered styles/grass.svg drawings/harbour.svg | tail -n +2")
+command_case(curve-analogy/the-innermost-style-wins
+  RUN "curve-analogy --style .roof=styles/zigzag.svg --style Land=styles/wavy.svg drawings/harbour.svg | tail -n +2"
+  SAME "curve-analogy --style Land=styles/wavy.svg --style .roof=styles/zigzag.svg drawings/harbour.svg | tail -n +2")
+command_case(curve-analogy/the-last-of-equal-styles-wins
+  RUN "curve-analogy --style .roof=styles/wavy.svg --style '#gable=styles/zigzag.svg' drawings/harbour.svg | tail -n +2 | grep gable"
+  SAME "curve-analogy --style .roof=styles/zigzag.svg drawings/harbour.svg | tail -n +2 | grep gable")
+command_case(curve-analogy/a-style-may-have-its-own-scale
+  RUN "curve-analogy --style Sea=styles/wavy.svg@.5 --scale 3 drawings/harbour.svg | tail -n +2"
+  SAME "curve-analogy --style Sea=styles/wavy.svg --scale 0.5 drawings/harbour.svg | tail -n +2")
+command_case(curve-analogy/an-at-sign-may-belong-to-the-name
+  RUN "cp styles/wavy.svg $OUT/wavy@2x.svg && curve-analogy --style Sea=$OUT/wavy@2x.svg drawings/harbour.svg | tail -n +2"
+  SAME "curve-analogy --style Sea=styles/wavy.svg drawings/harbour.svg | tail -n +2")
+command_case(curve-analogy/history-names-the-files-of-styles
+  RUN "curve-analogy --style layer:Sea=styles/wavy-plain.svg:styles/wavy.svg@2 drawings/harbour.svg | head -n 1 | grep -o 'curve-analogy [^\"]*'"
+  SAME "echo 'curve-analogy --style layer:Sea=wavy-plain.svg:wavy.svg@2'")
+command_case(curve-analogy/a-style-for-nothing-is-warned-about
+  RUN "svg2curves drawings/plan.svg drawings/harbour.svg | curve-analogy --style Sea=styles/wavy.svg > $OUT/a"
+  STDERR "curve-analogy: stdin:1: warning: --style Sea draws no line: nothing in this drawing is called so, or other styles have it all")
+command_case(curve-analogy/a-style-that-is-too-large-is-named
+  RUN "curve-analogy --style Sea=styles/wavy.svg --style Sky=styles/loops.svg@20 drawings/harbour.svg > $OUT/a"
+  STDERR "~curve-analogy: drawings/harbour.svg: warning: --style Sky is large for this drawing: 100 % of its lines .*")
+foreach(style "Sea" "=styles/wavy.svg" "Sea=" "Sea=styles/wavy.svg:" "Sea=:styles/wavy.svg" "Sea=a:b:c" "Sea=@2" "a > b=styles/wavy.svg" ".=styles/wavy.svg")
+  string(MAKE_C_IDENTIFIER "${style}" name)
+  command_case(curve-analogy/style-of-another-form-${name}
+    RUN "curve-analogy --style '${style}' drawings/harbour.svg" EXIT 2
+    STDERR "~curve-analogy: --style .*: (give WHAT=UNFILTERED.svg:FILTERED.svg or WHAT=FILTERED.svg|\".*\" is not #ID, .CLASS, layer:NAME or a name); see curve-analogy --help")
+endforeach()
+command_case(curve-analogy/a-style-is-no-file
+  RUN "curve-analogy --style Sea=styles/none.svg drawings/harbour.svg" EXIT 1
+  STDERR "~curve-analogy: styles/none.svg: .*")
+
+# Variants.
+command_case(curve-analogy/variants-have-the-seeds-that-follow
+  RUN "curve-analogy --filtered styles/wavy.svg --seed 7 --variants 3 drawings/plan.svg drawings/harbour.svg | grep -v '^{\"curves'"
+  SAME "for name in plan harbour; do for seed in 7 8 9; do curve-analogy --filtered styles/wavy.svg --seed $seed drawings/$name.svg | tail -n +2; done; done")
+command_case(curve-analogy/variants-have-names
+  RUN [[svg2curves drawings/plan.svg drawings/harbour.svg | curve-analogy --filtered styles/wavy.svg --variants 2 |
+          render --output $OUT/{name}.png && ls $OUT | xargs]]
+  SAME "echo harbour-1.png harbour-2.png plan-1.png plan-2.png")
+command_case(curve-analogy/variants-of-a-nameless-drawing
+  RUN [[printf '{"curves":1}\n{"type":"path","d":"M0 0 L100 0"}\n' | curve-analogy --filtered styles/wavy.svg --variants 2 | grep -o '"name":"[^"]*"']]
+  SAME [[printf '"name":"unnamed-1"\n"name":"unnamed-2"\n']])
+command_case(curve-analogy/variants-warn-once
+  RUN "curve-analogy --filtered styles/loops.svg --scale 20 --variants 3 drawings/plan.svg -o $OUT/a.curves"
+  STDERR "~curve-analogy: drawings/plan.svg: warning: the style is large for this drawing: 100 % .*")
+foreach(count 0 -1 1.5)
+  command_case(curve-analogy/variants-are-counted-${count}
+    RUN "curve-analogy --filtered styles/wavy.svg --variants ${count} drawings/plan.svg" EXIT 2
+    STDERR "~curve-analogy: --variants is (1 or more|a whole number).*")
+endforeach()
+
 command_case(curve-analogy/parameter-out-of-range
   RUN "curve-analogy --filtered styles/wavy.svg --samples 3 drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: .*samples is 3; give 100 to 20000.*")
