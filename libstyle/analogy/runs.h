@@ -27,8 +27,8 @@ std::vector<ChainRun> find_runs(const Example& example, std::span<const ChainSta
 // Style coordinates nearer to each other than this, in steps, are one place.
 inline constexpr double kSamePlace = 1e-9;
 
-// Runs as a function of the style coordinate, 0 .. steps. Half a feature size to each side of a jump
-// two runs fade into each other.
+// Runs as a function of the style coordinate, 0 .. steps. Half a feature size to each side of a
+// jump two runs fade into each other.
 class PlacedRuns {
  public:
   // Where a run lies, and which part of the example it copies.

@@ -124,8 +124,8 @@ SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place) const 
   variety.longest_run =
       static_cast<std::size_t>(kLongestRun * static_cast<double>(example_.state_count())) + 1;
   variety.repeat_factor = kRepeatFactor;
-  const std::vector<ChainState> walk = sample_chain(
-      jumps_.chain, task, RandomStream(parameters_.seed, place), 0, variety);
+  const std::vector<ChainState> walk =
+      sample_chain(jumps_.chain, task, RandomStream(parameters_.seed, place), 0, variety);
 
   SynthesizedCurve result;
   result.runs = find_runs(example_, walk);

@@ -38,7 +38,8 @@ Polyline loops() {
   return result;
 }
 
-CurveAnalogyParameters with_seed(std::uint64_t seed, Invariance invariance = Invariance::kTranslate) {
+CurveAnalogyParameters with_seed(std::uint64_t seed,
+                                 Invariance invariance = Invariance::kTranslate) {
   CurveAnalogyParameters parameters;
   parameters.seed = seed;
   parameters.invariance = invariance;
