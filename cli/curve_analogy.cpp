@@ -15,6 +15,7 @@
 #include "libstyle/analogy/drawing.h"
 #include "libstyle/analogy/example_document.h"
 #include "libstyle/analogy/style_set.h"
+#include "libstyle/analogy/synthesis_document.h"
 #include "libstyle/base/error.h"
 #include "libstyle/base/number.h"
 #include "libstyle/curves/writer.h"
@@ -30,7 +31,8 @@ struct Settings {
   std::vector<std::string> styles;
   std::optional<double> variants;
   std::string scale = "1";
-  std::string invariance = "rotate";
+  std::optional<double> synthesize;
+  std::string invariance;  // empty: as the work at hand wants it
   bool loose_ends = false;
   std::string method = "chain";
   bool faithful = false;
@@ -101,7 +103,9 @@ CurveAnalogyParameters checked_parameters(const Settings& settings, std::optiona
   CurveAnalogyParameters parameters = settings.parameters;
   parameters.scale = scale.value_or(1);
   parameters.keep_ends = !settings.loose_ends;
-  if (settings.invariance == "translate") parameters.invariance = Invariance::kTranslate;
+  const std::string usual = settings.synthesize ? "translate" : "rotate";
+  const std::string& invariance = settings.invariance.empty() ? usual : settings.invariance;
+  if (invariance == "translate") parameters.invariance = Invariance::kTranslate;
   if (settings.method == "greedy" || settings.faithful) parameters.method = AnalogyMethod::kGreedy;
   parameters.search = search_parameters(settings);
   try {
@@ -158,7 +162,39 @@ std::string variant_name(const std::string& name, int number) {
   return (name.empty() ? "unnamed" : name) + '-' + std::to_string(number);
 }
 
+// Makes a curve from the example alone.
+void synthesize(const Settings& settings, Session& session) {
+  const auto refuse = [](bool given, const char* option) {
+    if (given) throw UsageError(std::string("--synthesize does not go with ") + option);
+  };
+  refuse(!settings.styles.empty(), "--style; give the example as --filtered FILE");
+  refuse(!settings.unfiltered.empty(), "--unfiltered");
+  refuse(settings.method == "greedy" || settings.faithful, "--method greedy and --faithful");
+  refuse(settings.inputs != std::vector<std::string>{"-"}, "an input");
+  const std::optional<double> scale = parse_scale(settings.scale);
+  refuse(!scale, "--scale auto");
+  if (settings.filtered.empty()) throw UsageError("give an example of the style: --filtered FILE");
+  if (!(*settings.synthesize > 0)) throw UsageError("--synthesize must be above 0");
+
+  const int variants = variant_count(settings);
+  const CurveAnalogyParameters parameters = checked_parameters(settings, scale);
+  const Document example = read_example(settings.filtered, session);
+  OutputFile output(settings.output);
+  at_place({display_name(settings.filtered)}, [&] {
+    const CurveSynthesis style(synthesis_examples(example), parameters);
+    for (int i = 0; i < variants; ++i) {
+      Document document =
+          synthesized_document(style, example, *settings.synthesize, static_cast<std::uint64_t>(i));
+      document.header.history = {session.history()};
+      if (settings.variants) document.header.name = variant_name(document.header.name, i + 1);
+      write_document(output, document);
+    }
+  });
+  output.commit();
+}
+
 void run(const Settings& settings, Session& session) {
+  if (settings.synthesize) return synthesize(settings, session);
   const int variants = variant_count(settings);
   StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);
@@ -191,6 +227,7 @@ Command describe(Settings& settings) {
       .synopsis = {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
                    "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
                    "curve-analogy --style grass=plain.svg:grass.svg --style .sea=wavy.svg bay.svg",
+                   "curve-analogy --filtered coast.svg --synthesize 4000 | render -o new.png",
                    "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg"},
       .options =
           {{"--filtered", "FILE", "the example: lines drawn in the style", &settings.filtered,
@@ -200,6 +237,8 @@ Command describe(Settings& settings) {
            {"--style", "WHAT=FILES",
             "a style for a class, layer, id or element: [UNFILTERED:]FILTERED[@SCALE]",
             &settings.styles, HistoryUse::kFilesOf},
+           {"--synthesize", "PX", "make a curve of this length from the example alone",
+            &settings.synthesize},
            {"--seed", "N", "another number draws other lines in the same style", &p.seed},
            {"--variants", "N", "so many of each drawing, one with each seed from --seed on",
             &settings.variants},

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "libstyle/analogy/smooth_curve.h"
 #include "libstyle/base/number.h"
 #include "libstyle/base/parallel.h"
 #include "libstyle/geometry/arc_length.h"
@@ -25,7 +26,6 @@ namespace {
 
 constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn along
 constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
-constexpr double kGrid = 1e4;           // coordinates to a px
 constexpr double kMeeting = 1e-3;       // of the drawing's diagonal: ends that near a line meet it
 
 bool comes_before(const Path* a, const Path* b) {
@@ -35,79 +35,6 @@ bool comes_before(const Path* a, const Path* b) {
       [&](Point p, Point q) { return key(p) <=> key(q); });
   if (points != 0) return points < 0;
   return std::ranges::lexicographical_compare(a->commands(), b->commands());
-}
-
-// ---- One curve ------------------------------------------------------------------------------
-
-// What becomes of a subpath: a path, and for each of its vertices the length along the subpath.
-struct NewSubpath {
-  Path path;
-  std::vector<double> lengths;
-};
-
-Point on_grid(Point p) {
-  const Point rounded = {std::round(p.x * kGrid) / kGrid, std::round(p.y * kGrid) / kGrid};
-  return is_finite(rounded) ? rounded : p;
-}
-
-// Appends a fitted path without its first move, if it continues what is there, and with all points
-// but the ends on the grid.
-void append_fit(NewSubpath& result, const Path& fitted) {
-  std::size_t next = 0;
-  const std::span<const Point> points = fitted.points();
-  const auto take = [&] {
-    const bool end = next == 0 || next + 1 == points.size();
-    const Point p = points[next++];
-    return end ? p : on_grid(p);
-  };
-  for (const PathCommand command : fitted.commands()) {
-    if (command == PathCommand::kMove) {
-      const Point start = take();
-      if (result.path.empty()) result.path.move_to(start);
-    } else if (command == PathCommand::kLine) {
-      result.path.line_to(take());
-    } else if (command == PathCommand::kCubic) {
-      const Point control1 = take(), control2 = take();
-      result.path.cubic_to(control1, control2, take());
-    } else {
-      result.path.close();
-    }
-  }
-}
-
-// The points from `first` to `last`, on round if the curve is closed.
-Polyline stretch(const Polyline& curve, std::size_t first, std::size_t last) {
-  Polyline result;
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = first; i <= last; ++i) result.points.push_back(curve.points[i % n]);
-  return result;
-}
-
-// Corners of the drawing stay corners: what lies between them is fitted on its own.
-NewSubpath fit(const StyledCurve& drawn, double total_length, double tolerance) {
-  const std::size_t n = drawn.curve.points.size();
-  const bool closed = drawn.curve.closed;
-  std::vector<std::size_t> breaks = drawn.corners;
-  NewSubpath result;
-  if (closed && breaks.empty()) {
-    const CubicFit whole = fit_cubics(drawn.curve, {.tolerance = tolerance});
-    append_fit(result, whole.path);
-    for (const std::size_t i : whole.points) result.lengths.push_back(drawn.lengths[i]);
-    return result;
-  }
-  if (!closed && (breaks.empty() || breaks.front() != 0)) breaks.insert(breaks.begin(), 0);
-  breaks.push_back(closed ? breaks.front() + n : n - 1);
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const CubicFit part =
-        fit_cubics(stretch(drawn.curve, breaks[k], breaks[k + 1]), {.tolerance = tolerance});
-    append_fit(result, part.path);
-    for (std::size_t i = k == 0 ? 0 : 1; i < part.points.size(); ++i) {
-      const std::size_t point = breaks[k] + part.points[i];
-      result.lengths.push_back(drawn.lengths[point % n] + (point < n ? 0 : total_length));
-    }
-  }
-  if (closed) result.path.close();
-  return result;
 }
 
 // ---- Values along curves --------------------------------------------------------------------
@@ -144,23 +71,6 @@ class ValuesByLength {
   bool goes_round_;
 };
 
-using ColorMember = std::uint8_t Color::*;
-constexpr ColorMember kColorMembers[] = {&Color::red, &Color::green, &Color::blue, &Color::alpha};
-
-std::vector<Color> colors_at(const ValuesByLength& along, std::span<const double> lengths,
-                             std::span<const Color> colors) {
-  std::vector<Color> result(lengths.size());
-  for (const ColorMember member : kColorMembers) {
-    std::vector<double> values;
-    for (const Color& color : colors) values.push_back(color.*member);
-    const std::vector<double> found = along.at(lengths, values);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      result[i].*member = static_cast<std::uint8_t>(std::lround(found[i]));
-    }
-  }
-  return result;
-}
-
 void append_values(AlongValues& result, const AlongValues& old, const FlattenedSubpath& flat,
                    std::span<const double> lengths) {
   if (old.empty()) return;
@@ -171,7 +81,8 @@ void append_values(AlongValues& result, const AlongValues& old, const FlattenedS
     all.insert(all.end(), values.begin(), values.end());
   }
   if (old.colors.empty()) return;
-  const std::vector<Color> colors = colors_at(along, lengths, old.colors);
+  const std::vector<Color> colors = map_channels(
+      old.colors, [&](std::span<const double> values) { return along.at(lengths, values); });
   result.colors.insert(result.colors.end(), colors.begin(), colors.end());
 }
 
@@ -184,8 +95,8 @@ struct PathMeasure {
 };
 
 // A subpath that stays as it is.
-NewSubpath kept(const Subpath& old, const FlattenedSubpath& flat) {
-  NewSubpath result;
+SmoothCurve kept(const Subpath& old, const FlattenedSubpath& flat) {
+  SmoothCurve result;
   if (old.segments.empty()) {
     result.path.move_to(flat.polyline.points.front());
     result.lengths = {0};
@@ -262,8 +173,8 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
         style.draw(flats[i].polyline, (place << 24) + i, flat.held[i], variant);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
-    const NewSubpath fresh =
-        drawn.runs.empty() ? kept(old[i], flats[i]) : fit(drawn, length, tolerance);
+    const SmoothCurve fresh =
+        drawn.runs.empty() ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
     path.append(fresh.path);
     append_values(along, record.along, flats[i], fresh.lengths);
     measure.length += length;

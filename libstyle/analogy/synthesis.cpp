@@ -113,7 +113,8 @@ CurveSynthesis::CurveSynthesis(std::span<const Polyline> examples,
 
 double CurveSynthesis::longest_curve() const { return kMostSteps * example_.step(); }
 
-SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place) const {
+SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place,
+                                      std::uint64_t variant) const {
   if (!(length > 0 && length <= longest_curve())) {
     throw Error("the length of a curve to be made must be above 0 px and at most " +
                 std::to_string(static_cast<long long>(longest_curve())) + " px");
@@ -125,7 +126,7 @@ SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place) const 
       static_cast<std::size_t>(kLongestRun * static_cast<double>(example_.state_count())) + 1;
   variety.repeat_factor = kRepeatFactor;
   const std::vector<ChainState> walk =
-      sample_chain(jumps_.chain, task, RandomStream(parameters_.seed, place), 0, variety);
+      sample_chain(jumps_.chain, task, RandomStream(parameters_.seed + variant, place), 0, variety);
 
   SynthesizedCurve result;
   result.runs = find_runs(example_, walk);

@@ -54,8 +54,9 @@ class CurveSynthesis {
   CurveSynthesis(std::span<const Polyline> examples, const CurveAnalogyParameters& parameters);
 
   // A curve of this length, px of the drawing: > 0 and at most longest_curve(). `place` tells
-  // curves of one seed apart. Throws Error for other lengths. Safe to call from several threads.
-  SynthesizedCurve draw(double length, std::uint64_t place) const;
+  // curves of one seed apart, `variant` is added to the seed. Throws Error for other lengths. Safe
+  // to call from several threads.
+  SynthesizedCurve draw(double length, std::uint64_t place, std::uint64_t variant = 0) const;
 
   // A million steps of the example, as for analogies.
   double longest_curve() const;

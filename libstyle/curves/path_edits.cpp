@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/curves/path_edits.h"
 
-#include <cmath>
 #include <string>
 #include <unordered_set>
 
@@ -97,27 +96,16 @@ FlatPath to_flat(const Path& path, double tolerance) {
   return flat;
 }
 
-std::vector<Color> colors_along(const std::vector<PathPlace>& places,
-                                const std::vector<Color>& colors) {
-  std::vector<Color> result(colors.empty() ? 0 : places.size());
-  for (std::uint8_t Color::*channel : {&Color::red, &Color::green, &Color::blue, &Color::alpha}) {
-    std::vector<double> values;
-    for (const Color& color : colors) values.push_back(color.*channel);
-    if (values.empty()) continue;
-    const std::vector<double> along = values_along(places, values);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      result[i].*channel = static_cast<std::uint8_t>(std::lround(along[i]));
-    }
-  }
-  return result;
-}
-
 void flatten_record(PathRecord& record, double tolerance) {
   FlatPath flat = to_flat(record.path, tolerance);
   for (Channel& channel : record.along.channels) {
     channel.values = values_along(flat.places, channel.values);
   }
-  record.along.colors = colors_along(flat.places, record.along.colors);
+  if (!record.along.colors.empty()) {
+    record.along.colors = map_channels(record.along.colors, [&](std::span<const double> values) {
+      return values_along(flat.places, values);
+    });
+  }
   record.path = std::move(flat.path);
 }
 

@@ -2,6 +2,7 @@
 #include "libstyle/curves/style.h"
 
 #include <array>
+#include <cmath>
 
 namespace libstyle {
 namespace {
@@ -29,6 +30,22 @@ std::string to_text(Color color) {
   append_hex(text, color.blue);
   if (color.alpha != 255) append_hex(text, color.alpha);
   return text;
+}
+
+std::vector<Color> map_channels(
+    std::span<const Color> colors,
+    const std::function<std::vector<double>(std::span<const double>)>& map) {
+  std::vector<Color> result;
+  for (std::uint8_t Color::*channel : {&Color::red, &Color::green, &Color::blue, &Color::alpha}) {
+    std::vector<double> values;
+    for (const Color& color : colors) values.push_back(color.*channel);
+    const std::vector<double> mapped = map(values);
+    result.resize(mapped.size());
+    for (std::size_t i = 0; i < mapped.size(); ++i) {
+      result[i].*channel = static_cast<std::uint8_t>(std::lround(mapped[i]));
+    }
+  }
+  return result;
 }
 
 std::optional<Color> parse_color(std::string_view text) {

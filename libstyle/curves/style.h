@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,6 +27,12 @@ struct Color {
 // "#rrggbb", or "#rrggbbaa" where alpha is not 255.
 std::string to_text(Color color);
 std::optional<Color> parse_color(std::string_view text);
+
+// Colours made from colours channel by channel, such as by interpolation: `map` makes the new
+// values of a channel of the old ones, in 0 .. 255.
+std::vector<Color> map_channels(
+    std::span<const Color> colors,
+    const std::function<std::vector<double>(std::span<const double>)>& map);
 
 struct NoPaint {
   friend bool operator==(const NoPaint&, const NoPaint&) = default;

@@ -139,3 +139,18 @@ command_case(curve-analogy/symbols-out-of-range
 command_case(curve-analogy/levels-are-whole
   RUN "curve-analogy --filtered styles/wavy.svg --method greedy --levels 2.5 drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: --levels is a whole number.*")
+
+command_case(curve-analogy/synthesize-reads-nothing
+  RUN "curve-analogy --filtered styles/coast.svg --synthesize 2000 --seed 3 | grep -c '\"type\":\"path\"'" SAME "echo 1")
+command_case(curve-analogy/synthesize-variants-are-seeds
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 900 --variants 3 | grep path | tail -n 1"
+  SAME "curve-analogy --filtered styles/loops.svg --synthesize 900 --seed 3 | grep path")
+command_case(curve-analogy/synthesize-takes-no-input
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 900 drawings/plan.svg" EXIT 2
+  STDERR "curve-analogy: --synthesize does not go with an input; see curve-analogy --help")
+command_case(curve-analogy/synthesize-must-be-above-nought
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 0" EXIT 2
+  STDERR "curve-analogy: --synthesize must be above 0; see curve-analogy --help")
+command_case(curve-analogy/synthesize-too-long
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 1e12" EXIT 1
+  STDERR "~curve-analogy: styles/loops.svg: the length of a curve to be made must be above 0 px and at most [0-9]+ px")
