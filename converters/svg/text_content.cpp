@@ -82,34 +82,37 @@ class ContentReader {
 
   TextPart make_part(pugi::xml_node element, const ComputedStyle& style) {
     const LengthContext context = length_context(style, scope_.viewport);
-    const auto px = [&](const char* name, LengthAxis axis) {
-      const std::optional<Length> length = first_length(element, name);
-      return length ? std::optional(resolve(*length, axis, context)) : std::nullopt;
-    };
     TextPart part;
     part.element = element;
     part.style = style;
-    part.x = px("x", LengthAxis::kHorizontal);
-    part.y = px("y", LengthAxis::kVertical);
-    part.dx = px("dx", LengthAxis::kHorizontal).value_or(0);
-    part.dy = px("dy", LengthAxis::kVertical).value_or(0);
+    part.x = lengths(element, "x", LengthAxis::kHorizontal, context);
+    part.y = lengths(element, "y", LengthAxis::kVertical, context);
+    part.dx = lengths(element, "dx", LengthAxis::kHorizontal, context);
+    part.dy = lengths(element, "dy", LengthAxis::kVertical, context);
     for (const char* name : {"rotate", "textLength"}) {
       if (element.attribute(name)) reporter_.warn(element, std::string(name) + " is not carried");
     }
     return part;
   }
 
-  // SVG gives every character a place of its own if asked to.
-  std::optional<Length> first_length(pugi::xml_node element, const char* name) {
-    const std::string_view text = trimmed(element.attribute(name).value());
-    const std::size_t end = std::min(text.find_first_of(", \t\r\n"), text.size());
-    const std::optional<Length> length = parse_length(text.substr(0, end));
-    if (!length && !text.empty()) {
-      reporter_.warn(element, std::string(name) + " is no length: \"" + std::string(text) + '"');
-    } else if (end < text.size()) {
-      reporter_.warn(element, std::string(name) + " beyond the first character is not carried");
+  // Ends at the first that is wrong, and when there is no work left for more.
+  std::vector<double> lengths(pugi::xml_node element, const char* name, LengthAxis axis,
+                              const LengthContext& context) {
+    std::vector<double> lengths;
+    std::string_view rest = trimmed(element.attribute(name).value());
+    while (!rest.empty() && content_.work <= work_limit_) {
+      const std::size_t end = std::min(rest.find_first_of(", \t\r\n"), rest.size());
+      const std::optional<Length> length = parse_length(rest.substr(0, end));
+      if (!length) {
+        reporter_.warn(element, std::string(name) + " has an error; it is read up to there");
+        break;
+      }
+      if (!lengths.empty()) content_.work += 16;
+      lengths.push_back(resolve(*length, axis, context));
+      rest = trimmed(rest.substr(end));
+      if (rest.starts_with(',')) rest = trimmed(rest.substr(1));
     }
-    return length;
+    return lengths;
   }
 
   const Scope& scope_;

@@ -3,8 +3,8 @@
 // chapter 10).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -15,21 +15,25 @@
 
 namespace libstyle::svg {
 
-// One element of a text: text itself, tspan, tref or a.
+// One element of a text: text itself, tspan, tref or a. Lengths are in px.
 struct TextPart {
   pugi::xml_node element;
   ComputedStyle style;
-  std::optional<double> x, y;  // where it begins; px, as all lengths here
-  double dx = 0, dy = 0;
+  // Where its first characters stand, and how far they are moved from there: one number for each
+  // character, the first for the element as a whole if there is no other.
+  std::vector<double> x, y, dx, dy;
   std::string borrowed;  // the characters that a tref refers to
   std::size_t end = 0;   // the parts after this one and before `end` are within it
+
+  // How many characters have a place of their own.
+  std::size_t placed() const { return std::max({x.size(), y.size(), dx.size(), dy.size()}); }
 };
 
 struct TextContent {
   std::vector<TextPart> parts;  // in the order of the file; the first one is the text element
   std::size_t characters = 0;   // bytes, in fact
   std::size_t longest = 0;      // of those between two tags
-  std::size_t work = 0;         // the characters, and 16 for each node of the file
+  std::size_t work = 0;         // the characters, and 16 for each node and place
 };
 
 // `scope` is that of the text element. What is not drawn ("display") is left out. Reading ends soon

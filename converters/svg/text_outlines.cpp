@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "converters/svg/encoding.h"
 #include "converters/svg/librsvg.h"
 #include "converters/svg/svg_reader.h"
 #include "converters/svg/xml_text.h"
@@ -53,12 +54,10 @@ std::optional<Length> baseline_shift(const ComputedStyle& style) {
 
 // Where the text begins, as far as it says so.
 Point origin_of(const TextContent& text) {
-  const auto x =
-      std::ranges::find_if(text.parts, [](const auto& part) { return part.x.has_value(); });
-  const auto y =
-      std::ranges::find_if(text.parts, [](const auto& part) { return part.y.has_value(); });
+  const auto x = std::ranges::find_if(text.parts, [](const auto& part) { return !part.x.empty(); });
+  const auto y = std::ranges::find_if(text.parts, [](const auto& part) { return !part.y.empty(); });
   const auto end = text.parts.end();
-  return {x == end ? 0 : *x->x, y == end ? 0 : *y->y};
+  return {x == end ? 0 : x->x.front(), y == end ? 0 : y->y.front()};
 }
 
 double largest_font_size(const TextContent& text) {
@@ -71,10 +70,11 @@ double largest_font_size(const TextContent& text) {
 double reach_of(const TextContent& text, Point origin, double font_size) {
   double farthest = 0, shifts = 0, advance = font_size;
   for (const TextPart& part : text.parts) {
-    const Point begin = {part.x.value_or(origin.x), part.y.value_or(origin.y)};
-    farthest = std::max({farthest, std::abs(begin.x - origin.x), std::abs(begin.y - origin.y)});
-    shifts += std::abs(part.dx) + std::abs(part.dy) +
-              std::abs(to_px(baseline_shift(part.style).value_or(Length{}), part.style));
+    for (const double x : part.x) farthest = std::max(farthest, std::abs(x - origin.x));
+    for (const double y : part.y) farthest = std::max(farthest, std::abs(y - origin.y));
+    for (const double dx : part.dx) shifts += std::abs(dx);
+    for (const double dy : part.dy) shifts += std::abs(dy);
+    shifts += std::abs(to_px(baseline_shift(part.style).value_or(Length{}), part.style));
     advance = std::max(advance, font_size + std::abs(to_px(part.style.letter_spacing, part.style)));
   }
   return farthest + shifts + static_cast<double>(text.characters) * advance;
@@ -105,6 +105,34 @@ std::size_t part_of(Color color) {
   return std::size_t{color.red} << 16 | std::size_t{color.green} << 8 | color.blue;
 }
 
+// Whether white space at the ends of a text goes away.
+struct Trimming {
+  bool begin = false;
+  bool end = false;
+};
+
+// White space as SVG 1.1, section 10.15, has it.
+std::string settled_space(std::string_view text, bool preserve, Trimming trimming) {
+  std::string settled;
+  for (const char c : text) {
+    const bool line_end = c == '\n' || c == '\r';
+    const char settled_c = line_end || c == '\t' ? ' ' : c;
+    const bool repeated = settled_c == ' ' && settled.ends_with(' ');
+    if (preserve || !(line_end || repeated)) settled += settled_c;
+  }
+  if (preserve) return settled;
+  if (trimming.begin && settled.starts_with(' ')) settled.erase(0, 1);
+  if (trimming.end && settled.ends_with(' ')) settled.pop_back();
+  return settled;
+}
+
+// The bytes of the first character of UTF-8.
+std::size_t character_size(std::string_view text) {
+  std::size_t size = 1;
+  while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) ++size;
+  return size;
+}
+
 class TextWriter {
  public:
   TextWriter(const TextContent& text, const TextSpace& space) : text_(text), space_(space) {}
@@ -127,29 +155,62 @@ class TextWriter {
  private:
   void write_part(std::size_t index, std::string_view name, const ComputedStyle& parent) {
     const TextPart& part = text_.parts[index];
-    out_.append("<").append(name);
-    attribute("fill", to_text(color_of(index)));
-    write_place(part);
+    begin(name, index);
+    if (part.placed() == 1) write_place(part, 0);
     write_style(part.style, parent);
     out_ += '>';
-    append_escaped(out_, part.borrowed, 0);
+    std::size_t count = 0;  // of characters of its own
+    write_characters(index, part.borrowed, {true, true}, count);
     std::size_t next = index + 1;
     for (const pugi::xml_node child : part.element.children()) {
       if (next < part.end && text_.parts[next].element == child) {
         write_part(next, "tspan", part.style);
         next = text_.parts[next].end;
       } else if (is_characters(child) && part.borrowed.empty()) {
-        append_escaped(out_, child.value(), 0);
+        write_characters(index, child.value(), {!child.previous_sibling(), !child.next_sibling()},
+                         count);
       }
     }
     out_.append("</").append(name).append(">");
   }
 
-  void write_place(const TextPart& part) {
-    if (part.x) attribute("x", (*part.x - space_.origin.x) * space_.scale);
-    if (part.y) attribute("y", (*part.y - space_.origin.y) * space_.scale);
-    if (part.dx != 0) attribute("dx", part.dx * space_.scale);
-    if (part.dy != 0) attribute("dy", part.dy * space_.scale);
+  // Characters with places of their own become elements of their own; librsvg knows one place for
+  // an element. `count` is that of the characters before.
+  void write_characters(std::size_t index, std::string_view characters, Trimming trimming,
+                        std::size_t& count) {
+    const TextPart& part = text_.parts[index];
+    if (part.placed() <= 1) return append_escaped(out_, repaired_utf8(characters), 0);
+    const std::string text =
+        settled_space(repaired_utf8(characters), part.style.white_space == "preserve", trimming);
+    for (std::string_view rest = text; !rest.empty(); ++count) {
+      const std::size_t size = count < part.placed() ? character_size(rest) : rest.size();
+      begin("tspan", index);
+      attribute("xml:space", "preserve");
+      word("text-decoration", part.style.text_decoration, "", "");
+      write_place(part, count);
+      out_ += '>';
+      append_escaped(out_, rest.substr(0, size), 0);
+      out_ += "</tspan>";
+      rest.remove_prefix(size);
+    }
+  }
+
+  void begin(std::string_view name, std::size_t part) {
+    out_.append("<").append(name);
+    attribute("fill", to_text(color_of(part)));
+  }
+
+  void write_place(const TextPart& part, std::size_t character) {
+    write_length("x", part.x, character, space_.origin.x);
+    write_length("y", part.y, character, space_.origin.y);
+    write_length("dx", part.dx, character, 0);
+    write_length("dy", part.dy, character, 0);
+  }
+
+  void write_length(std::string_view name, const std::vector<double>& lengths,
+                    std::size_t character, double origin) {
+    if (character >= lengths.size()) return;
+    attribute(name, (lengths[character] - origin) * space_.scale);
   }
 
   void write_style(const ComputedStyle& style, const ComputedStyle& parent) {
@@ -187,7 +248,7 @@ class TextWriter {
 
   void attribute(std::string_view name, std::string_view value) {
     out_.append(" ").append(name).append("=\"");
-    append_escaped(out_, value, '"');
+    append_escaped(out_, repaired_utf8(value), '"');
     out_ += '"';
   }
   void attribute(std::string_view name, double value) { attribute(name, number(value)); }
@@ -246,8 +307,10 @@ std::vector<TextRun> outline_text(const TextContent& text) {
     if (path == nullptr || !path->style.fill) continue;
     const auto* const color = std::get_if<Color>(&*path->style.fill);
     if (color == nullptr || part_of(*color) >= text.parts.size()) continue;
-    TextRun run = {part_of(*color), to_user_space(path->path, space)};
-    if (!run.path.empty()) runs.push_back(std::move(run));
+    const Path outline = to_user_space(path->path, space);
+    if (outline.empty()) continue;
+    if (runs.empty() || runs.back().part != part_of(*color)) runs.push_back({part_of(*color), {}});
+    runs.back().path.append(outline);
   }
   return runs;
 }
