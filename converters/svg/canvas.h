@@ -21,6 +21,7 @@ struct Scope {
   Vector viewport;    // size of the nearest viewport, in its own units
   std::string group;  // id of the record that members are in
   std::size_t depth = 0;
+  std::optional<Box> bounds;  // of the text that this is a part of: what "objectBoundingBox" means
 };
 
 class Canvas {

@@ -31,7 +31,8 @@ class ClipCanvas final : public Canvas {
     const ComputedStyle& style = scope.style;
     if (style.display == Display::kNone || style.visibility == Visibility::kHidden) return;
     ClipPart part;
-    part.clip = clips_.find_or_add(element, scope, [&] { return bounding_box(path); });
+    part.clip = clips_.find_or_add(element, scope,
+                                   [&] { return scope.bounds.value_or(bounding_box(path)); });
     part.path = std::move(path);
     part.path.transform(scope.page_from_user);
     part.rule = style.clip_rule;

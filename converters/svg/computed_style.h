@@ -40,8 +40,24 @@ enum class Display : std::uint8_t { kInline, kNone };
 enum class Visibility : std::uint8_t { kVisible, kHidden };
 enum class Overflow : std::uint8_t { kVisible, kHidden };
 
+// What says how text is laid out, besides its size. Words that are empty are initial.
+struct InheritedTextProperties {
+  std::string_view font_family;
+  std::string_view font_style;
+  std::string_view font_variant;
+  std::string_view font_stretch;
+  int font_weight = 400;
+  Length letter_spacing;
+  std::string_view text_anchor;
+  std::string_view direction;
+  std::string_view writing_mode;
+  std::string_view text_orientation;
+  std::string_view language;     // xml:lang
+  std::string_view white_space;  // xml:space
+};
+
 // The views point into the text of the file or of its style sheets.
-struct InheritedProperties {
+struct InheritedProperties : InheritedTextProperties {
   CssColor color;
   SpecifiedPaint fill = {"", SolidPaint::of({})};
   double fill_opacity = 1;
@@ -57,7 +73,7 @@ struct InheritedProperties {
   Length dash_offset;
   bool stroke_first = false;
   Visibility visibility = Visibility::kVisible;
-  double font_size = 16;          // px
+  double font_size = 12;          // px; what programs for SVG take where nothing is said
   std::string_view marker_start;  // what url() holds; empty: none
   std::string_view marker_mid;
   std::string_view marker_end;
@@ -72,6 +88,9 @@ struct OwnProperties {
   std::string_view filter;
   std::string_view blend_mode;  // mix-blend-mode, when it is not "normal"
   bool non_scaling_stroke = false;
+  std::string_view baseline_shift;
+  std::string_view text_decoration;
+  std::string_view unicode_bidi;
   SolidPaint stop_color = SolidPaint::of({});
   double stop_opacity = 1;
   std::optional<Transform> transform;

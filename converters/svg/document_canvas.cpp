@@ -14,6 +14,7 @@ namespace libstyle::svg {
 namespace {
 
 std::string_view shape_name(ElementKind kind, pugi::xml_node element) {
+  if (kind == ElementKind::kText) return "text";
   return kind == ElementKind::kPath ? std::string_view() : element.name();
 }
 
@@ -28,8 +29,9 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
   GroupLook look;
   look.opacity = scope.style.opacity;
   look.hidden = scope.style.display == Display::kNone;
-  look.clip =
-      clips_.find_or_add(element, scope, [&] { return measure_members(drawing_, element, scope); });
+  look.clip = clips_.find_or_add(element, scope, [&] {
+    return scope.bounds ? *scope.bounds : measure_members(drawing_, element, scope);
+  });
   if (viewport) look.clip = add_viewport_clip(*viewport, look.clip, scope);
   const bool plain = look.opacity == 1 && !look.hidden && look.clip.empty();
   if (!plain || !is_outermost(element)) {
@@ -51,10 +53,11 @@ void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path pa
                                const Scope& scope) {
   warn_not_carried(element, scope.style);
   PathRecord record;
-  record.clip = clips_.find_or_add(element, scope, [&] { return bounding_box(path); });
+  record.clip =
+      clips_.find_or_add(element, scope, [&] { return scope.bounds.value_or(bounding_box(path)); });
   const LengthContext context = length_context(scope.style, scope.viewport);
-  record.style =
-      painter_.painted_style(element, scope.style, {path, scope.page_from_user, context});
+  record.style = painter_.painted_style(element, scope.style,
+                                        {path, scope.bounds, scope.page_from_user, context});
   const bool marked = markers_.any(kind, scope.style);
   const Path user_path = marked ? path : Path();
   record.path = std::move(path);

@@ -48,6 +48,7 @@ constexpr NamedKind kKinds[] = {
     {"svg", ElementKind::kSvg},
     {"switch", ElementKind::kSwitch},
     {"symbol", ElementKind::kNeverDrawn},
+    {"text", ElementKind::kText},
     {"title", ElementKind::kNeverDrawn},
     {"use", ElementKind::kUse},
     {"view", ElementKind::kNeverDrawn},

@@ -19,9 +19,10 @@ enum class ElementKind : std::uint8_t {
   kPolyline,
   kPolygon,
   kPath,
+  kText,
   kNeverDrawn,  // drawn only where something refers to it, or never: defs, symbol, title ...
   kActive,      // moves or runs: animations and scripts
-  kNotCarried,  // draws something that is not lines: text, image, what we do not know
+  kNotCarried,  // draws something that is not lines: image, what we do not know
   kForeign      // of another namespace
 };
 

@@ -71,7 +71,8 @@ std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape
   if (!definition) return std::nullopt;
   Transform page_from_units = shape.page_from_user;
   if (definition->in_bounding_box) {
-    const std::optional<Transform> user_from_box = box_transform(bounding_box(shape.path));
+    const std::optional<Transform> user_from_box =
+        box_transform(shape.bounds ? *shape.bounds : bounding_box(shape.path));
     if (!user_from_box) return std::nullopt;
     page_from_units = page_from_units * *user_from_box;
   }

@@ -19,7 +19,8 @@ namespace libstyle::svg {
 
 // What a gradient is resolved against.
 struct PaintedShape {
-  const Path& path;  // in user space
+  const Path& path;                  // in user space
+  const std::optional<Box>& bounds;  // where its box is not that of the path
   const Transform& page_from_user;
   const LengthContext& context;
 };

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "converters/svg/font_property.h"
+#include "converters/svg/keyword.h"
 #include "converters/svg/scanner.h"
 #include "converters/svg/transform_list.h"
 
@@ -15,17 +17,6 @@ using Text = std::string_view;
 using Style = ComputedStyle;
 
 // --- Values -------------------------------------------------------------------------------------
-
-template <typename Value>
-using Keywords = std::initializer_list<std::pair<Text, Value>>;
-
-template <typename Value>
-std::optional<Value> find_keyword(Text text, Keywords<Value> keywords) {
-  for (const auto& [name, value] : keywords) {
-    if (equal_ignoring_case(text, name)) return value;
-  }
-  return std::nullopt;
-}
 
 std::optional<SolidPaint> parse_solid(Text text) {
   if (equal_ignoring_case(text, "none")) return SolidPaint{};
@@ -54,24 +45,6 @@ std::optional<SpecifiedPaint> parse_paint(Text text) {
 std::optional<Length> parse_size(Text text) {
   const std::optional<Length> length = parse_length(text);
   return length && length->value >= 0 ? length : std::nullopt;
-}
-
-// CSS 2.1, section 15.7, with its suggested factor of 1.2 between neighbours.
-std::optional<double> parse_font_size(Text text, double parent_size) {
-  const auto keyword = find_keyword<double>(text, {{"xx-small", 16 / 1.728},
-                                                   {"x-small", 16 / 1.44},
-                                                   {"small", 16 / 1.2},
-                                                   {"medium", 16},
-                                                   {"large", 16 * 1.2},
-                                                   {"x-large", 16 * 1.44},
-                                                   {"xx-large", 16 * 1.728},
-                                                   {"smaller", parent_size / 1.2},
-                                                   {"larger", parent_size * 1.2}});
-  if (keyword) return keyword;
-  const std::optional<Length> length = parse_size(text);
-  if (!length) return std::nullopt;
-  if (length->unit == LengthUnit::kPercent) return length->value / 100 * parent_size;
-  return resolve(*length, LengthAxis::kDiagonal, {0, 0, parent_size});
 }
 
 std::optional<std::vector<Length>> parse_dash_array(Text text) {
@@ -161,6 +134,31 @@ bool set_font_size(Style& style, const Style& parent, Text text) {
   return assign(style.font_size, parse_font_size(text, parent.font_size));
 }
 
+bool set_font_weight(Style& style, const Style& parent, Text text) {
+  return assign(style.font_weight, parse_font_weight(text, parent.font_weight));
+}
+
+bool set_font(Style& style, const Style& parent, Text text) {
+  const std::optional<Font> font = parse_font(text, parent.font_size, parent.font_weight);
+  if (!font) return false;
+  style.font_family = font->family;
+  style.font_style = font->style;
+  style.font_variant = font->variant;
+  style.font_stretch = font->stretch;
+  style.font_size = font->size;
+  style.font_weight = font->weight;
+  return true;
+}
+
+void copy_font(Style& to, const Style& from) {
+  to.font_family = from.font_family;
+  to.font_style = from.font_style;
+  to.font_variant = from.font_variant;
+  to.font_stretch = from.font_stretch;
+  to.font_size = from.font_size;
+  to.font_weight = from.font_weight;
+}
+
 bool set_marker(Style& style, const Style& parent, Text text) {
   return set_url<&Style::marker_start>(style, parent, text) &&
          set_url<&Style::marker_mid>(style, parent, text) &&
@@ -214,6 +212,32 @@ std::optional<Overflow> parse_overflow(Text text) {
                                        {"scroll", Overflow::kHidden}});
 }
 
+// Words that only the layout of text knows. No value that is meant is longer than this.
+std::optional<Text> parse_words(Text text) {
+  constexpr std::size_t kLongest = 500;
+  return text.empty() || text.size() > kLongest ? std::nullopt : std::optional(text);
+}
+
+std::optional<Length> parse_letter_spacing(Text text) {
+  return equal_ignoring_case(text, "normal") ? Length{} : parse_length(text);
+}
+
+std::optional<Text> parse_text_anchor(Text text) {
+  return find_word(text, {"start", "middle", "end"});
+}
+
+std::optional<Text> parse_direction(Text text) { return find_word(text, {"ltr", "rtl"}); }
+
+// The words of SVG 1.1, and those of CSS.
+std::optional<Text> parse_writing_mode(Text text) {
+  return find_word(text, {"lr", "lr-tb", "rl", "rl-tb", "tb", "tb-rl", "horizontal-tb",
+                          "vertical-rl", "vertical-lr"});
+}
+
+std::optional<Text> parse_text_orientation(Text text) {
+  return find_word(text, {"mixed", "upright", "sideways"});
+}
+
 std::optional<bool> parse_vector_effect(Text text) {
   return find_keyword<bool>(text, {{"none", false}, {"non-scaling-stroke", true}});
 }
@@ -241,18 +265,27 @@ constexpr Property url_property(Text name) {
 }
 
 constexpr Property kProperties[] = {
+    property<&Style::baseline_shift, parse_words>("baseline-shift"),
     text_property<&Style::clip_path>("clip-path"),
     property<&Style::clip_rule, parse_fill_rule>("clip-rule"),
     {"color", set_color, copy<&Style::color>},
     property<&Style::center_x, parse_length>("cx"),
     property<&Style::center_y, parse_length>("cy"),
+    property<&Style::direction, parse_direction>("direction"),
     property<&Style::display, parse_display>("display"),
     property<&Style::fill, parse_paint>("fill"),
     property<&Style::fill_opacity, parse_opacity>("fill-opacity"),
     property<&Style::fill_rule, parse_fill_rule>("fill-rule"),
     text_property<&Style::filter>("filter"),
+    {"font", set_font, copy_font},
+    property<&Style::font_family, parse_words>("font-family"),
     {"font-size", set_font_size, copy<&Style::font_size>},
+    property<&Style::font_stretch, parse_font_stretch>("font-stretch"),
+    property<&Style::font_style, parse_font_style>("font-style"),
+    property<&Style::font_variant, parse_font_variant>("font-variant"),
+    {"font-weight", set_font_weight, copy<&Style::font_weight>},
     automatic_size<&Style::height>("height"),
+    property<&Style::letter_spacing, parse_letter_spacing>("letter-spacing"),
     {"marker", set_marker, copy_marker},
     url_property<&Style::marker_end>("marker-end"),
     url_property<&Style::marker_mid>("marker-mid"),
@@ -275,11 +308,18 @@ constexpr Property kProperties[] = {
     property<&Style::miter_limit, parse_miter_limit>("stroke-miterlimit"),
     property<&Style::stroke_opacity, parse_opacity>("stroke-opacity"),
     property<&Style::stroke_width, parse_size>("stroke-width"),
+    property<&Style::text_anchor, parse_text_anchor>("text-anchor"),
+    property<&Style::text_decoration, parse_words>("text-decoration"),
+    property<&Style::text_orientation, parse_text_orientation>("text-orientation"),
     {"transform", set_transform, copy<&Style::transform>},
+    property<&Style::unicode_bidi, parse_words>("unicode-bidi"),
     property<&Style::non_scaling_stroke, parse_vector_effect>("vector-effect"),
     property<&Style::visibility, parse_visibility>("visibility"),
     automatic_size<&Style::width>("width"),
+    property<&Style::writing_mode, parse_writing_mode>("writing-mode"),
     property<&Style::x, parse_length>("x"),
+    property<&Style::language, parse_words>("xml:lang"),
+    property<&Style::white_space, parse_words>("xml:space"),
     property<&Style::y, parse_length>("y"),
 };
 static_assert(std::ranges::is_sorted(kProperties, {}, &Property::name));

@@ -9,15 +9,16 @@
 // for
 //    each element asks
 //    - cascade: what its properties are (style_sheet, selector, property),
-//    - element_path: what its path is (path_grammar, shapes, length).
+//    - element_path: what its path is (path_grammar, shapes, length),
+//    - text_outlines: what the paths of a text are (text_content, librsvg).
 // 4. document_canvas: what the walk comes to, brought to the page with its paint (painter, stroke,
 //    gradients), its clips (clip_paths) and its markers.
 // 5. document_builder: the records.
 //
-// Carried: svg, g, a, switch, use, symbol, the basic shapes and path; transforms, viewBox, every
-// unit; style sheets; fill and stroke in full; gradients; markers; opacity; clip-path; ids,
+// Carried: svg, g, a, switch, use, symbol, the basic shapes, path and text; transforms, viewBox,
+// every unit; style sheets; fill and stroke in full; gradients; markers; opacity; clip-path; ids,
 // classes, layers, labels and data-* attributes; what curves2svg carries along. What is hidden
-// stays, as hidden. Not carried, with one warning for each element: text, images, foreignObject,
+// stays, as hidden. Not carried, with one warning for each element: images, foreignObject,
 // filters, masks, patterns, animation, scripts.
 //
 // Nothing outside the text is ever opened. Depth, repetition and size are limited (SvgLimits).
@@ -38,6 +39,11 @@ struct SvgLimits {
   std::size_t used_elements = 500'000;
   // Elements looked at to match style sheets; a few seconds.
   std::size_t match_steps = 30'000'000;
+  // Text beyond these is left out with a warning. Characters between two tags: the time for them
+  // goes with the square.
+  std::size_t text_length = 5'000;
+  // Characters of all texts together, and 16 for each node: half a minute.
+  std::size_t text_work = 500'000;
   // Points of all paths together, 16 bytes each.
   std::size_t points = std::size_t{32} << 20;
 };

@@ -7,6 +7,7 @@
 #include "converters/svg/cascade.h"
 #include "converters/svg/conditions.h"
 #include "converters/svg/element_path.h"
+#include "libstyle/geometry/path_segments.h"
 
 namespace libstyle::svg {
 namespace {
@@ -31,6 +32,31 @@ Rectangle viewport_of(const Scope& scope) {
           resolve(scope.style.width.value_or(kWhole), LengthAxis::kHorizontal, context),
           resolve(scope.style.height.value_or(kWhole), LengthAxis::kVertical, context)};
 }
+
+// Fonts have a rule of their own for what is inside.
+void set_rule_of_fonts(ComputedStyle& style) {
+  style.fill_rule = FillRule::kNonZero;
+  style.clip_rule = FillRule::kNonZero;
+}
+
+// Opacity, clip and the like are those of the text as a whole (SVG 1.1, chapter 14).
+Scope scope_within_text(const Scope& text, const InheritedProperties& style) {
+  Scope scope = text;
+  scope.style = {};
+  static_cast<InheritedProperties&>(scope.style) = style;
+  set_rule_of_fonts(scope.style);
+  return scope;
+}
+
+// The child of `part` that `descendant` is, or is within; `child` is where to begin to look.
+std::size_t child_around(const TextContent& text, std::size_t part, std::size_t child,
+                         std::size_t descendant) {
+  if (child == part || child > descendant) child = part + 1;
+  while (text.parts[child].end <= descendant) child = text.parts[child].end;
+  return child;
+}
+
+pugi::xml_node own_characters(pugi::xml_node element) { return element.find_child(is_characters); }
 
 }  // namespace
 
@@ -59,6 +85,8 @@ void Walker::draw(pugi::xml_node element, const Scope& parent) {
       return draw_nested_svg(element, scope);
     case ElementKind::kUse:
       return draw_use(element, scope);
+    case ElementKind::kText:
+      return draw_text(element, scope);
     case ElementKind::kNotCarried:
       return drawing_.reporter.warn(element, std::string(element.name()) + " is not carried");
     default:
@@ -159,12 +187,76 @@ void Walker::draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle
 void Walker::draw_shape(pugi::xml_node element, ElementKind kind, const Scope& scope) {
   Path path = element_path(element, kind, scope.style, scope.viewport, drawing_.limits.points,
                            drawing_.reporter);
+  draw_outline(element, kind, std::move(path), scope);
+}
+
+void Walker::draw_outline(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope) {
   if (path.empty()) return;
   count_points(element, path);
   if (!is_finite(path, scope.page_from_user)) {
     return drawing_.reporter.warn(element, "has coordinates that are too large; it is left out");
   }
   canvas_.draw_path(element, kind, std::move(path), scope);
+}
+
+// --- Text ---------------------------------------------------------------------------------------
+
+void Walker::draw_text(pugi::xml_node element, Scope& scope) {
+  const SvgLimits& limits = drawing_.limits;
+  const std::size_t work_left = limits.text_work - drawing_.text_work;
+  const TextContent text =
+      read_text_content(element, scope, drawing_.index, work_left, drawing_.reporter);
+  drawing_.text_work += std::min(text.work, work_left);
+  const auto leave_out = [&](const std::string& why) {
+    drawing_.reporter.warn(element, "is left out: " + why);
+  };
+  if (text.work > work_left) {
+    return leave_out("the file has more than " + std::to_string(limits.text_work) +
+                     " characters of text");
+  }
+  if (text.longest > limits.text_length) {
+    return leave_out("it has more than " + std::to_string(limits.text_length) +
+                     " characters in one piece");
+  }
+  std::vector<TextRun> runs;
+  try {
+    runs = outline_text(text);
+  } catch (const Error& error) {
+    return leave_out(error.what());
+  }
+  set_rule_of_fonts(scope.style);
+  scope.bounds.emplace();
+  for (const TextRun& run : runs) scope.bounds->include(bounding_box(run.path));
+  if (!runs.empty()) draw_text_part(text, 0, runs, scope);
+}
+
+// A part of several runs is a group. Characters of its own have no element then: their text node
+// stands for it.
+void Walker::draw_text_part(const TextContent& text, std::size_t part, std::span<TextRun> runs,
+                            Scope& scope) {
+  const pugi::xml_node element = text.parts[part].element;
+  if (runs.size() == 1 && runs.front().part == part) {
+    return draw_outline(element, ElementKind::kText, std::move(runs.front().path), scope);
+  }
+  if (!canvas_.open_group(element, scope, std::nullopt)) return;
+  std::size_t child = part;
+  while (!runs.empty()) {
+    if (runs.front().part == part) {
+      const Scope inside = scope_within_text(scope, text.parts[part].style);
+      draw_outline(own_characters(element), ElementKind::kText, std::move(runs.front().path),
+                   inside);
+      runs = runs.subspan(1);
+      continue;
+    }
+    child = child_around(text, part, child, runs.front().part);
+    const std::size_t end = text.parts[child].end;
+    const auto beyond = std::ranges::find_if(
+        runs, [&](const TextRun& run) { return run.part < child || run.part >= end; });
+    const auto count = static_cast<std::size_t>(beyond - runs.begin());
+    Scope inside = scope_within_text(scope, text.parts[child].style);
+    draw_text_part(text, child, runs.first(count), inside);
+    runs = runs.subspan(count);
+  }
 }
 
 // --- Limits -------------------------------------------------------------------------------------

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <pugixml.hpp>
+#include <span>
 #include <vector>
 
 #include "converters/svg/canvas.h"
 #include "converters/svg/file_index.h"
 #include "converters/svg/reporter.h"
 #include "converters/svg/svg_reader.h"
+#include "converters/svg/text_outlines.h"
 
 namespace libstyle::svg {
 
@@ -21,6 +23,7 @@ struct Drawing {
   Reporter& reporter;
   std::size_t used_elements = 0;
   std::size_t points = 0;
+  std::size_t text_work = 0;
 };
 
 // Whether a walk is the one that draws the file, or goes through a part of it once more; what is
@@ -44,6 +47,10 @@ class Walker {
   void draw_target(pugi::xml_node target, pugi::xml_node use, Scope& scope);
   void draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport);
   void draw_shape(pugi::xml_node element, ElementKind kind, const Scope& scope);
+  void draw_text(pugi::xml_node element, Scope& scope);
+  void draw_text_part(const TextContent& text, std::size_t part, std::span<TextRun> runs,
+                      Scope& scope);
+  void draw_outline(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope);
 
   Scope enter(pugi::xml_node element, const Scope& parent) const;
   bool is_cycle(pugi::xml_node use, pugi::xml_node target) const;

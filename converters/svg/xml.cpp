@@ -161,7 +161,8 @@ XmlFile::XmlFile(std::string text, std::string file, const XmlLimits& limits,
   text = to_utf8(std::move(text), file_, warn);
   text_ = expand_entities(std::move(text), file_, limits.entities, warn);
   line_ends_ = find_line_ends(text_);
-  constexpr unsigned kOptions = pugi::parse_default | pugi::parse_pi;
+  // White space between two elements is a word space in text.
+  constexpr unsigned kOptions = pugi::parse_default | pugi::parse_pi | pugi::parse_ws_pcdata;
   const pugi::xml_parse_result result =
       tree_.load_buffer_inplace(text_.data(), text_.size(), kOptions, pugi::encoding_utf8);
   if (!result) throw Error(place_of_offset(result.offset), explain(result));

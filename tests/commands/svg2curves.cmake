@@ -70,3 +70,18 @@ command_case(svg2curves/deep-nesting
   RUN "yes '<g>' | head -n 10000 | (echo '<svg>'; cat) | svg2curves" EXIT 1 STDERR "~svg2curves: stdin:.*")
 command_case(svg2curves/strict-fails-on-a-warning
   RUN "svg2curves --strict -q broken/nan-coordinates.svg > /dev/null" EXIT 1 STDERR "~svg2curves: .*")
+
+command_case(svg2curves/text-is-drawn-as-by-rsvg-convert
+  RUN [[cd ../tests/golden/svg-text && for name in *.svg; do
+    rsvg-convert $name -o $OUT/expected.png && svg2curves --strict $name | render -o $OUT/actual.png &&
+    pixdiff --envelope --bound 24 --share 0.0005 $OUT/expected.png $OUT/actual.png || exit
+  done]])
+set(text ../tests/golden/svg-text/spans.svg)
+command_case(svg2curves/text-does-not-depend-on-the-language-of-the-user
+  RUN "LANG=ja_JP.UTF-8 LC_ALL= LANGUAGE=ja svg2curves ${text}" SAME "svg2curves ${text}")
+command_case(svg2curves/text-without-fonts-is-left-out
+  RUN "echo '<fontconfig/>' > $OUT/none.conf; FONTCONFIG_FILE=$OUT/none.conf svg2curves ${text} | grep -c 'shape\":\"text'; test $? = 1"
+  STDERR "~svg2curves: ${text}:4: warning: #colors: is left out: it needs fonts, .*
+~svg2curves: .*#nested.*
+~svg2curves: .*#moved.*
+~svg2curves: .*#lines.*")

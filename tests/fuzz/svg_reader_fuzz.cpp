@@ -18,6 +18,7 @@ svg::SvgReadOptions small_limits() {
   options.limits.used_elements = 1000;
   options.limits.points = 100'000;
   options.limits.match_steps = 100'000;
+  options.limits.text_work = 2'000;
   options.limits.xml.entities.bytes = 100'000;
   return options;
 }
