@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/base/ordered_work.h"
 
-#include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
+#include "libstyle/base/thread_count.h"
+
 namespace libstyle {
 namespace {
-
-constexpr std::size_t kMostThreads = 1024;
-
-std::size_t thread_count(int threads) {
-  const std::size_t wanted =
-      threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
-  return std::clamp<std::size_t>(wanted, 1, kMostThreads);
-}
 
 using Stages = OrderedStages<const std::size_t>;
 
