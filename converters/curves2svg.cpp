@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // curves2svg: curves as SVG that draws the same and that people can edit.
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "converters/common/batch.h"
 #include "converters/common/command.h"
+#include "converters/common/document_files.h"
 #include "converters/common/files.h"
-#include "converters/common/output_pattern.h"
 #include "converters/svg/document_input.h"
 #include "converters/svg/svg_writer.h"
-#include "libstyle/base/error.h"
 
 namespace libstyle {
 namespace {
@@ -18,57 +17,40 @@ namespace {
 struct Settings {
   std::vector<std::string> inputs;
   std::string output = "-";
+  BatchSettings batch;
 };
 
-// Where documents go: each to a file of its own, or the only one to the output. That there is no
-// second one must be known before the first is written.
-class SvgFiles {
- public:
-  SvgFiles(const std::string& output, Session& session) : names_(output), session_(session) {}
-
-  void add(Document document, const std::string& input) {
-    document.header.history.push_back(session_.history());
-    if (names_.takes_several()) return write(document, input);
-    if (only_) {
-      throw Error({display_name(input)},
-                  "there is a second document, and an SVG file holds one; name several outputs "
-                  "with --output 'out/{name}.svg'");
-    }
-    only_ = std::move(document);
-    only_input_ = input;
-  }
-
-  void finish(const std::string& last_input) {
-    if (names_.takes_several()) return;
-    if (!only_) throw Error({display_name(last_input)}, "there is no document to write");
-    write(*only_, only_input_);
-  }
-
- private:
-  void write(const Document& document, const std::string& input) {
-    OutputFile file(names_.next(document.header.name));
-    svg::write_svg(file, document, [&](Warning warning) {
-      warning.place.file = display_name(input);
-      session_.warn(warning);
-    });
-    file.commit();
-  }
-
-  OutputPattern names_;
-  Session& session_;
-  std::optional<Document> only_;
-  std::string only_input_;
+// A document on its way through the program.
+struct Drawing {
+  TakenDocument taken;
+  DocumentFile file;  // what comes out
 };
+
+void convert(Drawing& drawing, const std::string& history, const WarningHandler& warn) {
+  drawing.file.place.file = display_name(drawing.taken.input);
+  drawing.file.number = drawing.taken.number;
+  Document document = to_document(std::move(drawing.taken), warn);
+  drawing.file.place.line = document.header.line;
+  drawing.file.name = document.header.name;
+  document.header.history.push_back(history);
+  TextSink svg;
+  svg::write_svg(svg, document, [&](Warning warning) {
+    warning.place.file = drawing.file.place.file;
+    warn(warning);
+  });
+  drawing.file.bytes = std::move(svg.text);
+}
 
 void run(const Settings& settings, Session& session) {
-  SvgFiles files(settings.output, session);
-  const std::vector<std::string>& inputs = settings.inputs;
-  for (const std::string& input : inputs) {
-    DocumentInput documents(input, session.warning_handler());
-    Document document;
-    while (documents.read(document)) files.add(std::move(document), input);
-  }
-  files.finish(inputs.back());
+  DocumentInputs inputs(settings.inputs);
+  DocumentFiles files(settings.output);
+  run_batch<Drawing>(
+      settings.batch, session,
+      {.read = [&](Drawing& drawing) { return inputs.take(drawing.taken); },
+       .work = [&](Drawing& drawing,
+                   const WarningHandler& warn) { convert(drawing, session.history(), warn); },
+       .finish = [&](Drawing& drawing) { files.add(std::move(drawing.file)); }});
+  files.finish();
 }
 
 Command describe(Settings& settings) {
@@ -81,9 +63,12 @@ Command describe(Settings& settings) {
            "curves2svg --output 'out/{name}.svg' all.curves"},
       .options = {{"--output,-o", "FILE",
                    "write here; {name} and {number} stand for those of the document",
-                   &settings.output, HistoryUse::kLeftOut}},
+                   &settings.output, HistoryUse::kLeftOut},
+                  keep_going_option(settings.batch.keep_going),
+                  threads_option(settings.batch.threads)},
       .inputs = &settings.inputs,
-      .run = [&settings](Session& session) { run(settings, session); }};
+      .run = [&settings](Session& session) { run(settings, session); },
+      .has_report = true};
 }
 
 }  // namespace

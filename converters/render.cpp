@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // render: curves as PNG, SVG or PDF.
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "converters/cairo/picture.h"
+#include "converters/common/batch.h"
 #include "converters/common/command.h"
+#include "converters/common/document_files.h"
 #include "converters/common/files.h"
 #include "converters/common/output_pattern.h"
 #include "converters/svg/css_color.h"
@@ -23,6 +27,7 @@ struct Settings {
   std::optional<double> width;
   std::optional<double> height;
   double scale = 1;
+  BatchSettings batch;
 };
 
 std::optional<Color> parse_background(const std::string& text) {
@@ -54,57 +59,101 @@ PictureSettings picture_settings(const Settings& settings) {
           parse_background(settings.background)};
 }
 
-// Where pictures go: one file for all, or one for each document.
-class PictureFiles {
- public:
-  PictureFiles(const std::string& output, const PictureSettings& settings,
-               const WarningHandler& warn)
-      : names_(output), settings_(settings), warn_(warn) {}
+// A document on its way through the program.
+struct Drawing {
+  TakenDocument taken;
+  Document document;
+  DocumentFile file;  // its picture, if that is a file of its own
+};
 
-  void add(const Document& document, const std::string& input) {
-    if (names_.takes_several() || !picture_) begin(names_.next(document.header.name));
-    picture_->add(document, display_name(input));
-    if (names_.takes_several()) end();
+// Where pictures go.
+class Pictures {
+ public:
+  virtual ~Pictures() = default;
+
+  // Any number of calls at a time.
+  virtual void draw(Drawing& drawing, const WarningHandler& warn) const = 0;
+  // In the order of the stream.
+  virtual void write(Drawing& drawing) = 0;
+  // After the last.
+  virtual void finish() = 0;
+};
+
+// Each document is a file.
+class PictureFiles final : public Pictures {
+ public:
+  PictureFiles(const std::string& output, const PictureSettings& settings)
+      : settings_(settings), files_(output, ", or use PDF, which takes one a page") {}
+
+  void draw(Drawing& drawing, const WarningHandler& warn) const override {
+    TextSink bytes;
+    Picture picture(bytes, settings_, warn);
+    picture.add(drawing.document, drawing.file.place.file);
+    picture.finish();
+    drawing.file.bytes = std::move(bytes.text);
   }
 
-  void finish() {
-    if (picture_) end();
+  void write(Drawing& drawing) override { files_.add(std::move(drawing.file)); }
+
+  void finish() override { files_.finish(); }
+
+ private:
+  const PictureSettings settings_;
+  DocumentFiles files_;
+};
+
+// Each document is a page of one file, which Cairo draws one after the other.
+class PicturePages final : public Pictures {
+ public:
+  PicturePages(const std::string& output, const PictureSettings& settings,
+               const WarningHandler& warn)
+      : file_(output), picture_(file_, settings, warn) {}
+
+  void draw(Drawing&, const WarningHandler&) const override {}
+
+  void write(Drawing& drawing) override {
+    picture_.add(drawing.document, drawing.file.place.file);
+    is_empty_ = false;
+  }
+
+  void finish() override {
+    if (is_empty_) return;
+    picture_.finish();
+    file_.commit();
   }
 
  private:
-  void begin(const std::string& name) {
-    file_.emplace(name);
-    picture_.emplace(*file_, settings_, warn_);
-  }
-
-  void end() {
-    picture_->finish();
-    file_->commit();
-    picture_.reset();
-    file_.reset();
-  }
-
-  OutputPattern names_;
-  const PictureSettings settings_;
-  const WarningHandler warn_;
-  std::optional<OutputFile> file_;
-  std::optional<Picture> picture_;
+  OutputFile file_;
+  Picture picture_;
+  bool is_empty_ = true;
 };
 
-void run(const Settings& settings, Session& session) {
-  const WarningHandler warn = session.warning_handler();
-  PictureFiles pictures(settings.output, picture_settings(settings), warn);
-  Document document;
-  for (const std::string& input : settings.inputs) {
-    DocumentInput documents(input, warn);
-    if (!documents.read(document)) {
-      throw Error({display_name(input)}, "holds no document; a document begins with a header line");
-    }
-    do {
-      pictures.add(document, input);
-    } while (documents.read(document));
+std::unique_ptr<Pictures> open_pictures(const Settings& settings, Session& session) {
+  const PictureSettings pictures = picture_settings(settings);
+  if (pictures.format == PictureFormat::kPdf && !OutputPattern(settings.output).takes_several()) {
+    return std::make_unique<PicturePages>(settings.output, pictures, session.warning_handler());
   }
-  pictures.finish();
+  return std::make_unique<PictureFiles>(settings.output, pictures);
+}
+
+void draw(Drawing& drawing, const Pictures& pictures, const WarningHandler& warn) {
+  drawing.file.place.file = display_name(drawing.taken.input);
+  drawing.file.number = drawing.taken.number;
+  drawing.document = to_document(std::move(drawing.taken), warn);
+  drawing.file.place.line = drawing.document.header.line;
+  drawing.file.name = drawing.document.header.name;
+  pictures.draw(drawing, warn);
+}
+
+void run(const Settings& settings, Session& session) {
+  const std::unique_ptr<Pictures> pictures = open_pictures(settings, session);
+  DocumentInputs inputs(settings.inputs);
+  run_batch<Drawing>(settings.batch, session,
+                     {.read = [&](Drawing& drawing) { return inputs.take(drawing.taken); },
+                      .work = [&](Drawing& drawing,
+                                  const WarningHandler& warn) { draw(drawing, *pictures, warn); },
+                      .finish = [&](Drawing& drawing) { pictures->write(drawing); }});
+  pictures->finish();
 }
 
 Command describe(Settings& settings) {
@@ -129,9 +178,12 @@ Command describe(Settings& settings) {
                        "the height of the picture, or the most with --width too", &settings.height},
                       {"--scale", "FACTOR", "how large a page is drawn when neither is given",
                        &settings.scale},
-                      {"--background", "COLOR", "a CSS color to draw on", &settings.background}},
+                      {"--background", "COLOR", "a CSS color to draw on", &settings.background},
+                      keep_going_option(settings.batch.keep_going),
+                      threads_option(settings.batch.threads)},
           .inputs = &settings.inputs,
-          .run = [&settings](Session& session) { run(settings, session); }};
+          .run = [&settings](Session& session) { run(settings, session); },
+          .has_report = true};
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "converters/common/batch.h"
 #include "converters/common/command.h"
 #include "converters/common/files.h"
 #include "converters/svg/svg_reader.h"
@@ -24,6 +26,7 @@ struct Settings {
   bool split = false;
   std::optional<double> flatten;
   bool strict = false;
+  BatchSettings batch;
 };
 
 std::string read_text(const std::string& input, std::size_t limit) {
@@ -59,14 +62,23 @@ void apply(const Edits& edits, Document& document, const std::string& file,
   if (edits.flatten) flatten_paths(document, *edits.flatten, file);
 }
 
-Document convert(const std::string& input, const svg::SvgReadOptions& options, const Edits& edits,
-                 Session& session) {
-  Document document = svg::read_svg(read_text(input, options.limits.xml.bytes), display_name(input),
-                                    options, session.warning_handler());
-  apply(edits, document, display_name(input), session.warning_handler());
-  document.header.name = document_name(input);
-  document.header.history.push_back(session.history());
-  return document;
+// A drawing on its way through the program.
+struct Drawing {
+  std::string input;
+  std::string text;    // SVG
+  std::string curves;  // what comes out
+};
+
+std::string convert(Drawing& drawing, const svg::SvgReadOptions& options, const Edits& edits,
+                    const std::string& history, const WarningHandler& warn) {
+  const std::string name = display_name(drawing.input);
+  Document document = svg::read_svg(std::move(drawing.text), name, options, warn);
+  apply(edits, document, name, warn);
+  document.header.name = document_name(drawing.input);
+  document.header.history.push_back(history);
+  TextSink curves;
+  at_place({name}, [&] { write_document(curves, document); });
+  return std::move(curves.text);
 }
 
 void run(const Settings& settings, Session& session) {
@@ -76,13 +88,30 @@ void run(const Settings& settings, Session& session) {
     options.style_sheet = read_text(settings.style_sheet, options.limits.xml.bytes);
   }
   OutputFile output(settings.output);
-  for (const std::string& input : settings.inputs) {
-    write_document(output, convert(input, options, edits, session));
-  }
+  bool is_empty = true;
+  auto next = settings.inputs.begin();
+  run_batch<Drawing>(settings.batch, session,
+                     {.read =
+                          [&](Drawing& drawing) {
+                            if (next == settings.inputs.end()) return false;
+                            drawing.input = *next++;
+                            drawing.text = read_text(drawing.input, options.limits.xml.bytes);
+                            return true;
+                          },
+                      .work =
+                          [&](Drawing& drawing, const WarningHandler& warn) {
+                            drawing.curves =
+                                convert(drawing, options, edits, session.history(), warn);
+                          },
+                      .finish =
+                          [&](Drawing& drawing) {
+                            output.write(drawing.curves);
+                            is_empty = false;
+                          }});
   if (settings.strict && session.warning_count() > 0) {
     throw Error("not everything was carried, and --strict asks for that");
   }
-  output.commit();
+  if (!is_empty) output.commit();
 }
 
 Command describe(Settings& settings) {
@@ -90,7 +119,8 @@ Command describe(Settings& settings) {
           .summary = "SVG drawings as a stream of curves",
           .synopsis = {"svg2curves plan.svg > plan.curves",
                        "svg2curves icons/*.svg | render -o 'out/{name}.png'",
-                       "svg2curves --strict --stylesheet print.css < plan.svg"},
+                       "svg2curves --strict --stylesheet print.css < plan.svg",
+                       "svg2curves --keep-going --report icons.json icons/*.svg > icons.curves"},
           .options = {{"--output,-o", "FILE", "write here rather than to stdout", &settings.output,
                        HistoryUse::kLeftOut},
                       {"--stylesheet", "FILE", "CSS that comes after that of the drawings",
@@ -102,9 +132,12 @@ Command describe(Settings& settings) {
                       {"--flatten", "PX", "make polylines that are at most so far from the curves",
                        &settings.flatten},
                       {"--strict", "", "fail when anything is warned about", &settings.strict,
-                       HistoryUse::kLeftOut}},
+                       HistoryUse::kLeftOut},
+                      keep_going_option(settings.batch.keep_going),
+                      threads_option(settings.batch.threads)},
           .inputs = &settings.inputs,
-          .run = [&settings](Session& session) { run(settings, session); }};
+          .run = [&settings](Session& session) { run(settings, session); },
+          .has_report = true};
 }
 
 }  // namespace

@@ -55,9 +55,7 @@ class Picture::Implementation {
   void add(const Document& document, const std::string& file) {
     place_ = {file, document.header.line};
     if (full_) {
-      throw Error(place_,
-                  "a second document, but this picture holds one; name the output with {name} or "
-                  "{number}, or use PDF, which takes one a page");
+      throw Error(place_, "a second document, but this picture holds one");
     }
     const Viewport viewport = viewport_of(document);
     if (settings_.format == PictureFormat::kPng) {
@@ -100,9 +98,21 @@ class Picture::Implementation {
     }
     if (!vector_) vector_ = make_vector(width, height);
     if (is_pdf) cairo_pdf_surface_set_size(vector_.get(), width, height);
-    draw(vector_.get(), document, Transform::scaling(unit, unit) * viewport.picture_from_page);
+    try {
+      draw(vector_.get(), document, Transform::scaling(unit, unit) * viewport.picture_from_page);
+    } catch (const Error&) {
+      clear_page();
+      throw;
+    }
     if (is_pdf) cairo_surface_show_page(vector_.get());
     check_vector();
+  }
+
+  // Cairo would make a page of what there is of a document that failed.
+  void clear_page() const {
+    const CairoContext context(cairo_create(vector_.get()));
+    cairo_set_operator(context.get(), CAIRO_OPERATOR_CLEAR);
+    cairo_paint(context.get());
   }
 
   CairoSurface make_vector(double width, double height) {

@@ -33,7 +33,7 @@ class Picture {
   ~Picture();
 
   // Draws a document; `file` is where messages say it comes from. Throws Error when it cannot be
-  // drawn, or when the picture is full.
+  // drawn, which then leaves no trace, or when the picture is full.
   void add(const Document& document, const std::string& file = "");
 
   // Writes what is left. A picture without it is not whole.

@@ -2,10 +2,12 @@
 #include "converters/common/command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include "converters/common/files.h"
 #include "converters/common/help.h"
@@ -18,6 +20,7 @@ enum ExitCode { kDone = 0, kFailed = 1, kWrongUse = 2 };
 
 // The options of every program.
 struct CommonSettings {
+  std::string report;
   bool quiet = false;
   bool help = false;
   bool version = false;
@@ -25,6 +28,10 @@ struct CommonSettings {
 
 std::vector<Option> all_options(const Command& command, CommonSettings& common) {
   std::vector<Option> options = command.options;
+  if (command.has_report) {
+    options.push_back({"--report", "FILE", "write all warnings and errors here as JSON",
+                       &common.report, HistoryUse::kLeftOut});
+  }
   options.push_back(
       {"--quiet,-q", "", "print no warnings and no progress", &common.quiet, HistoryUse::kLeftOut});
   options.push_back({"--help", "", "print this text and end", &common.help, HistoryUse::kLeftOut});
@@ -56,8 +63,8 @@ CLI::Option* declare(CLI::App& parser, const Option& option) {
           if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
           if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
             declared->expected(1)->take_all()->allow_extra_args(false);
-          } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
-            declared->check(check_not_negative);
+          } else if constexpr (std::is_integral_v<Value>) {
+            declared->check(check_not_negative);  // there is nothing to count below zero
           } else if constexpr (!std::is_same_v<Value, std::string>) {
             declared->check(check_number);
           }
@@ -124,26 +131,59 @@ void print(const std::string& text) {
 }
 
 // Runs what can throw and turns it into an exit code.
-int guarded(const std::string& program, const std::function<void()>& run) {
-  const Session session(program, {}, false);
+int guarded(const std::string& program, Session& session, const std::function<void()>& run) {
   try {
     run();
-    return kDone;
   } catch (const ClosedPipe&) {
-    return kDone;
   } catch (const UsageError& error) {
     return report_wrong_use(program, error.what());
   } catch (const Error& error) {
-    session.message(error.what());
+    session.error(error);
   } catch (const std::bad_alloc&) {
-    session.message("out of memory; give it more, or a smaller input");
+    session.error(Error("out of memory; give it more, or a smaller input"));
   } catch (const std::exception& error) {
-    session.message(std::string("internal error: ") + error.what());
+    session.error(Error(std::string("internal error: ") + error.what()));
   }
-  return kFailed;
+  return session.error_count() > 0 ? kFailed : kDone;
+}
+
+bool writes_stdout(const Command& command) {
+  return std::ranges::any_of(command.options, [](const Option& option) {
+    if (!option.names.starts_with("--output")) return false;
+    return *std::get<std::string*>(option.target) == "-";
+  });
+}
+
+// Runs a command and writes its report, whose place is tried beforehand.
+int run_with_report(const Command& command, const std::string& history,
+                    const CommonSettings& common) {
+  Report report;
+  Session session(command.name, history, common.quiet, &report);
+  std::optional<OutputFile> file;
+  const int code = guarded(command.name, session, [&] {
+    if (common.report == "-" && writes_stdout(command)) {
+      throw UsageError("--report and --output cannot both be stdout");
+    }
+    file.emplace(common.report);
+    command.run(session);
+  });
+  if (code == kWrongUse || !file) return code;
+  return std::max(code, guarded(command.name, session, [&] {
+                    file->write(report.to_json(command.name, code));
+                    file->commit();
+                  }));
 }
 
 }  // namespace
+
+Option keep_going_option(bool& keep_going) {
+  return {"--keep-going", "", "report a document that is bad, and do the others", &keep_going,
+          HistoryUse::kLeftOut};
+}
+
+Option threads_option(int& threads) {
+  return {"--threads", "N", "how many threads work; 0: one a core", &threads, HistoryUse::kLeftOut};
+}
 
 int run_command(int argc, const char* const* argv, const Command& command) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), reported as ClosedPipe
@@ -162,12 +202,14 @@ int run_command(int argc, const char* const* argv, const Command& command) {
     return report_wrong_use(command.name, error.what());
   }
   if (command.inputs != nullptr && command.inputs->empty()) command.inputs->push_back("-");
-  return guarded(command.name, [&] {
-    if (common.help) return print(help);
-    if (common.version) return print(command.name + " (libstyle) " LIBSTYLE_VERSION "\n");
-    Session session(command.name, history_of(command.name, options, parsed), common.quiet);
-    command.run(session);
-  });
+  Session session(command.name, history_of(command.name, options, parsed), common.quiet);
+  if (common.help || common.version) {
+    return guarded(command.name, session, [&] {
+      print(common.help ? help : command.name + " (libstyle) " LIBSTYLE_VERSION "\n");
+    });
+  }
+  if (!common.report.empty()) return run_with_report(command, session.history(), common);
+  return guarded(command.name, session, [&] { command.run(session); });
 }
 
 }  // namespace libstyle

@@ -20,8 +20,7 @@
 #include <variant>
 #include <vector>
 
-#include "libstyle/base/progress.h"
-#include "libstyle/base/warning.h"
+#include "converters/common/session.h"
 
 namespace libstyle {
 
@@ -52,44 +51,23 @@ struct Option {
   std::vector<std::string> choices = {};  // the only values allowed, if any
 };
 
-// One line a program wants to say and a bar while it works.
-class Session {
- public:
-  Session(std::string program, std::string history, bool quiet);
-
-  // Prints "program: text" to stderr, --quiet or not.
-  void message(std::string_view text) const;
-
-  // Prints a warning in one line, unless --quiet, and counts it.
-  void warn(const Warning& warning);
-  WarningHandler warning_handler();
-  std::size_t warning_count() const { return warnings_; }
-
-  // Draws a progress bar when stderr is a terminal and the work takes over a second.
-  ProgressHandler progress_handler() const;
-
-  // This command line as it belongs into the history of a document.
-  const std::string& history() const { return history_; }
-
- private:
-  std::string program_;
-  std::string history_;
-  bool quiet_;
-  std::size_t warnings_ = 0;
-};
+// Options that mean the same in every program that has them.
+Option keep_going_option(bool& keep_going);
+Option threads_option(int& threads);
 
 struct Command {
   std::string name;
   std::string summary;                // completes "name - ..."
   std::vector<std::string> synopsis;  // real command lines
-  std::vector<Option> options;        // without --quiet, --help and --version
+  std::vector<Option> options;        // without --report, --quiet, --help and --version
   // Positional names; "-" stands for stdin when none are given. Null: the program takes none.
   std::vector<std::string>* inputs = nullptr;
   std::function<void(Session&)> run;  // throws Error or UsageError
+  bool has_report = false;            // whether there is --report
 };
 
 // Parses, runs, reports. Returns the exit code: 0 done, 1 bad data or a failed run, 2 wrong use.
-// A closed pipe is a quiet success.
+// A closed pipe is a quiet success. The report is written unless the use was wrong.
 int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace libstyle

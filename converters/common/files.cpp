@@ -10,15 +10,17 @@
 #include <filesystem>
 #include <utility>
 
-#include "libstyle/base/error.h"
-
 namespace libstyle {
 namespace {
 
 constexpr std::string_view kStandardStream = "-";
 
-Error system_error(const std::string& name, const std::string& what) {
+Error input_error(const std::string& name, const std::string& what) {
   return Error({name}, what + ": " + std::strerror(errno));
+}
+
+OutputError output_error(const std::string& name) {
+  return OutputError({name}, std::string("cannot be written: ") + std::strerror(errno));
 }
 
 // Owns a file descriptor, but for those of the standard streams.
@@ -44,7 +46,7 @@ class FileSource final : public ByteSource {
     for (;;) {
       const ssize_t count = ::read(descriptor_.get(), buffer.data(), buffer.size());
       if (count >= 0) return static_cast<std::size_t>(count);
-      if (errno != EINTR) throw system_error(name_, "cannot be read");
+      if (errno != EINTR) throw input_error(name_, "cannot be read");
     }
   }
 
@@ -80,7 +82,7 @@ std::string document_name(const std::string& input_name) {
 std::unique_ptr<ByteSource> open_input(const std::string& name) {
   if (name == kStandardStream) return std::make_unique<FileSource>(STDIN_FILENO, "stdin");
   const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw system_error(name, "cannot be opened");
+  if (descriptor < 0) throw input_error(name, "cannot be opened");
   auto source = std::make_unique<FileSource>(descriptor, name);
   struct stat status {};
   if (fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode)) {
@@ -114,7 +116,7 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   const bool exists = stat(name.c_str(), &status) == 0;
   if (exists && !S_ISREG(status.st_mode)) {  // a device or a named pipe: nothing to rename
     descriptor_ = open(name.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) throw system_error(name_, "cannot be written");
+    if (descriptor_ < 0) throw output_error(name_);
     return;
   }
   destination_ = exists ? resolve_links(name) : name;
@@ -122,7 +124,7 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
   if (descriptor_ < 0) {
     temporary_.clear();
-    throw system_error(name_, "cannot be written");
+    throw output_error(name_);
   }
   fchmod(descriptor_, exists ? status.st_mode & 07777 : mode_of_new_file());
 }
@@ -140,7 +142,7 @@ void OutputFile::write(std::string_view bytes) {
     } else if (errno == EPIPE) {
       throw ClosedPipe();
     } else if (errno != EINTR) {
-      throw system_error(name_, "cannot be written");
+      throw output_error(name_);
     }
   }
 }
@@ -148,11 +150,11 @@ void OutputFile::write(std::string_view bytes) {
 void OutputFile::commit() {
   if (descriptor_ > STDERR_FILENO) {
     // Some file systems report a full disk only here.
-    if (close(std::exchange(descriptor_, -1)) != 0) throw system_error(name_, "cannot be written");
+    if (close(std::exchange(descriptor_, -1)) != 0) throw output_error(name_);
   }
   if (temporary_.empty()) return;
   if (rename(temporary_.c_str(), destination_.c_str()) != 0) {
-    throw system_error(name_, "cannot be written");
+    throw output_error(name_);
   }
   temporary_.clear();
 }

@@ -9,11 +9,18 @@
 #include <string_view>
 
 #include "libstyle/base/bytes.h"
+#include "libstyle/base/error.h"
 
 namespace libstyle {
 
 // The reader of our output has gone; the program ends quietly.
 class ClosedPipe : public std::exception {};
+
+// An output cannot take what is to be written: another input would not help.
+class OutputError : public Error {
+ public:
+  using Error::Error;
+};
 
 // Opens a file, or stdin for "-". Throws Error naming the file: missing, a folder, no permission.
 std::unique_ptr<ByteSource> open_input(const std::string& name);
@@ -29,7 +36,8 @@ std::string read_all(ByteSource& source, std::size_t limit, const std::string& n
 
 // An output that is there whole or not at all: a named file is written beside its place and renamed
 // by commit(); without commit() it vanishes. Stdout ("-"), devices and named pipes are written as
-// they are. Both calls throw Error when the bytes cannot be written, ClosedPipe when nobody reads.
+// they are. All calls throw OutputError when the bytes cannot be written, ClosedPipe when nobody
+// reads.
 class OutputFile final : public ByteSink {
  public:
   explicit OutputFile(const std::string& name);

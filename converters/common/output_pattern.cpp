@@ -50,15 +50,14 @@ OutputPattern::OutputPattern(std::string pattern) : pattern_(std::move(pattern))
   }
 }
 
-std::string OutputPattern::next(std::string_view document_name) {
-  ++number_;
+std::string OutputPattern::next(std::string_view document_name, std::size_t number) {
   if (!takes_several_) return pattern_;
   const std::string name = safe_name(document_name);
-  std::string output = expanded(name);
+  std::string output = expanded(name, number);
   std::size_t& uses = uses_[output];
   // Names with a number behind may be taken too, by documents that are called so.
   for (++uses; uses > 1; ++uses) {
-    const std::string numbered = expanded(name + "-" + std::to_string(uses));
+    const std::string numbered = expanded(name + "-" + std::to_string(uses), number);
     if (!uses_.contains(numbered)) {
       uses_[numbered] = 1;
       return numbered;
@@ -67,14 +66,14 @@ std::string OutputPattern::next(std::string_view document_name) {
   return output;
 }
 
-std::string OutputPattern::expanded(std::string_view name) const {
+std::string OutputPattern::expanded(std::string_view name, std::size_t number) const {
   std::string output;
   for (std::size_t at = 0; at < pattern_.size();) {
     const std::string_view placeholder = placeholder_at(pattern_, at);
     if (placeholder == kName) {
       output += name;
     } else if (placeholder == kNumber) {
-      output += std::to_string(number_);
+      output += std::to_string(number);
     } else {
       output += pattern_[at];
     }

@@ -22,15 +22,15 @@ class OutputPattern {
   // Whether there is a name for more than one document.
   bool takes_several() const { return takes_several_; }
 
-  // The output for the next document of the stream.
-  std::string next(std::string_view document_name);
+  // The output for the next document of the stream. `number` is its place there, from 1: documents
+  // before it may have been left out.
+  std::string next(std::string_view document_name, std::size_t number);
 
  private:
-  std::string expanded(std::string_view name) const;
+  std::string expanded(std::string_view name, std::size_t number) const;
 
   std::string pattern_;
   bool takes_several_ = false;
-  std::size_t number_ = 0;
   std::map<std::string, std::size_t> uses_;  // how often an output name has been asked for
 };
 

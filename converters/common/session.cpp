@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include "converters/common/session.h"
 
-#include "converters/common/command.h"
+#include <cstdio>
+#include <utility>
+
 #include "converters/common/progress_bar.h"
 
 namespace libstyle {
 
-Session::Session(std::string program, std::string history, bool quiet)
-    : program_(std::move(program)), history_(std::move(history)), quiet_(quiet) {}
+Session::Session(std::string program, std::string history, bool quiet, Report* report)
+    : program_(std::move(program)), history_(std::move(history)), quiet_(quiet), report_(report) {}
 
 void Session::message(std::string_view text) const {
   const std::string line = program_ + ": " + std::string(text) + '\n';
@@ -16,6 +18,7 @@ void Session::message(std::string_view text) const {
 
 void Session::warn(const Warning& warning) {
   ++warnings_;
+  if (report_) report_->add(Severity::kWarning, warning.place, warning.id, warning.message);
   if (quiet_) return;
   const std::string id = warning.id.empty() ? "" : "#" + warning.id + ": ";
   message(to_prefix(warning.place) + "warning: " + id + warning.message);
@@ -23,6 +26,12 @@ void Session::warn(const Warning& warning) {
 
 WarningHandler Session::warning_handler() {
   return [this](const Warning& warning) { warn(warning); };
+}
+
+void Session::error(const Error& error) {
+  ++errors_;
+  if (report_) report_->add(Severity::kError, error.place(), {}, error.message());
+  message(error.what());
 }
 
 ProgressHandler Session::progress_handler() const {

@@ -48,46 +48,71 @@ class PeekableSource final : public ByteSource {
 
 class DocumentInput::Implementation {
  public:
-  Implementation(const std::string& name, WarningHandler warn)
-      : name_(name), warn_(std::move(warn)), source_(open_input(name)) {}
+  explicit Implementation(const std::string& name) : name_(name), source_(open_input(name)) {}
 
-  bool read(Document& document) {
-    if (!opened_) open();
-    opened_ = true;
-    if (reader_) return reader_->read(document);
-    document = std::move(drawing_);
-    drawing_ = {};
-    return std::exchange(drawing_is_left_, false);
+  bool take(TakenDocument& taken) {
+    taken.input = name_;
+    if (!opened_) return open(taken);
+    return reader_ && reader_->read(taken.content.emplace<Document>());
   }
 
  private:
-  void open() {
+  bool open(TakenDocument& taken) {
+    opened_ = true;
     const auto first = source_.first_character();
     if (!first || *first == '{') {
       reader_.emplace(source_, display_name(name_));
-      return;
+      return take(taken);
     }
-    const svg::SvgReadOptions options;
-    drawing_ = svg::read_svg(read_all(source_, options.limits.xml.bytes, display_name(name_)),
-                             display_name(name_), options, warn_);
-    drawing_.header.name = document_name(name_);
-    drawing_is_left_ = true;
+    taken.content = read_all(source_, svg::SvgLimits().xml.bytes, display_name(name_));
+    return true;
   }
 
   const std::string name_;
-  const WarningHandler warn_;
   PeekableSource source_;
   bool opened_ = false;
   std::optional<Reader> reader_;  // of curves
-  Document drawing_;              // of SVG
-  bool drawing_is_left_ = false;
 };
 
+Document to_document(TakenDocument taken, const WarningHandler& warn) {
+  if (auto* document = std::get_if<Document>(&taken.content)) return std::move(*document);
+  Document drawing = svg::read_svg(std::move(std::get<std::string>(taken.content)),
+                                   display_name(taken.input), {}, warn);
+  drawing.header.name = document_name(taken.input);
+  return drawing;
+}
+
 DocumentInput::DocumentInput(const std::string& name, WarningHandler warn)
-    : implementation_(std::make_unique<Implementation>(name, std::move(warn))) {}
+    : implementation_(std::make_unique<Implementation>(name)), warn_(std::move(warn)) {}
 
 DocumentInput::~DocumentInput() = default;
 
-bool DocumentInput::read(Document& document) { return implementation_->read(document); }
+bool DocumentInput::take(TakenDocument& taken) { return implementation_->take(taken); }
+
+bool DocumentInput::read(Document& document) {
+  TakenDocument taken;
+  const bool is_there = take(taken);
+  document = is_there ? to_document(std::move(taken), warn_) : Document();
+  return is_there;
+}
+
+bool DocumentInputs::take(TakenDocument& taken) {
+  taken.number = ++number_;
+  for (;;) {
+    if (!input_) {
+      if (opened_ == names_.size()) return false;
+      const std::string& name = names_[opened_++];
+      input_ = std::make_unique<DocumentInput>(name, WarningHandler());
+      is_untouched_ = true;
+    }
+    const bool is_untouched = std::exchange(is_untouched_, false);
+    if (input_->take(taken)) return true;
+    input_.reset();
+    if (is_untouched) {
+      throw Error({display_name(taken.input)},
+                  "holds no document; a document begins with a header line");
+    }
+  }
+}
 
 }  // namespace libstyle

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/base/error.h"
 
+#include <utility>
+
 namespace libstyle {
 
 std::string to_prefix(const Place& place) {
@@ -9,9 +11,11 @@ std::string to_prefix(const Place& place) {
   return place.file + ":" + std::to_string(place.line) + ": ";
 }
 
-Error::Error(const std::string& message) : std::runtime_error(message) {}
+Error::Error(const std::string& message) : Error(Place{}, message) {}
 
-Error::Error(const Place& place, const std::string& message)
-    : std::runtime_error(to_prefix(place) + message) {}
+Error::Error(Place place, std::string message)
+    : std::runtime_error(to_prefix(place) + message),
+      place_(std::move(place)),
+      message_(std::move(message)) {}
 
 }  // namespace libstyle

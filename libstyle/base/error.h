@@ -22,7 +22,14 @@ std::string to_prefix(const Place& place);
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message);
-  Error(const Place& place, const std::string& message);
+  Error(Place place, std::string message);
+
+  const Place& place() const { return place_; }
+  const std::string& message() const { return message_; }  // what() without the place
+
+ private:
+  Place place_;
+  std::string message_;
 };
 
 // Does some work, and says of an Error in it where that was.

@@ -7,7 +7,8 @@
 
 #include <exception>
 #include <mutex>
-#include <optional>
+
+#include "libstyle/base/thread_count.h"
 
 namespace libstyle {
 namespace {
@@ -41,18 +42,15 @@ class FirstFailure {
 }  // namespace
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  if (threads == 1 || count < 2) {
+  const std::size_t most = thread_count(threads);
+  if (most == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;
   }
   FirstFailure failure;
   // More threads than cores are allowed, and TBB says so on stderr unless told that they are.
-  std::optional<tbb::global_control> allowed;
-  if (threads > 0) {
-    allowed.emplace(tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(threads));
-  }
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, most);
+  tbb::task_arena arena(static_cast<int>(most));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
       if (failure.precedes(i)) return;

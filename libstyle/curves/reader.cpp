@@ -57,19 +57,33 @@ void to_object(json::ondemand::document& document, Object& object) {
   json::check(code);
 }
 
+void rewind(Object& object) { json::check(object.reset().error()); }
+
+// Whether an object without "type" is a header, however it spells "curves".
+bool has_curves(Object& object) {
+  rewind(object);
+  for (auto field : object) {
+    std::string_view key;
+    json::check(field.unescaped_key().get(key));
+    if (key == "curves") return true;
+  }
+  return false;
+}
+
 // The type of a record; none for a header.
 std::optional<std::string_view> find_type(Object& object) {
   json::Value value;
   const simdjson::error_code code = object.find_field_unordered("type").get(value);
-  if (code == simdjson::NO_SUCH_FIELD) return std::nullopt;
+  if (code == simdjson::NO_SUCH_FIELD) {
+    if (has_curves(object)) return std::nullopt;
+    throw Error("\"type\" is missing, or \"curves\" if it is a header");
+  }
   json::check(code);
   json::ondemand::json_type type{};
   json::check(value.type().get(type));
   if (type != json::ondemand::json_type::string) throw Error("\"type\" must be a string");
   return json::read_text(value);
 }
-
-void rewind(Object& object) { json::check(object.reset().error()); }
 
 void require_end(json::ondemand::document& document) {
   if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
@@ -91,63 +105,116 @@ class Reader::Implementation {
   bool read(Document& document) {
     document.header = {};
     document.records.clear();
-    // Before the first document there can only be a header; parse_line sees to that.
-    if (!next_header_ && !take_line(document.records)) return false;
-    document.header = *std::exchange(next_header_, std::nullopt);
-    in_document_ = true;
-    while (!next_header_ && take_line(document.records)) {
+    if (!find_header()) return false;
+    is_broken_ = true;  // until it has been read whole
+    is_at_header_ = false;
+    in_line([&] { read_header(document.header); });
+    while (next_line() && in_line([&] { return read_record(document.records); })) {
     }
     check_unique_ids(document, name_);
+    is_broken_ = false;
     return true;
   }
 
  private:
-  // Reads a line that is not blank into next_header_ or onto `records`. False at the end.
-  bool take_line(Records& records) {
-    Line line;
-    try {
-      do {
-        if (!lines_.next(line)) return false;
-      } while (is_blank(line.text));
-      parse_line(line, records);
-    } catch (const Error& error) {
-      const bool cut = !line.ended && !line.text.ends_with('}');
-      throw Error(
-          {name_, lines_.line_number()},
-          error.what() + std::string(cut ? "; the stream ends in the middle of this line" : ""));
+  struct ParsedLine {
+    json::ondemand::document document;
+    Object object;
+  };
+
+  // Goes on to the next header. Anything else is an error before the first document, and passed
+  // over after a broken one.
+  bool find_header() {
+    while (!is_at_header_) {
+      if (!next_line()) return false;
+      try {
+        in_line([&] { require_header(); });
+        is_at_header_ = true;
+      } catch (const Error&) {
+        if (!std::exchange(is_broken_, true)) throw;
+      }
     }
     return true;
   }
 
-  void parse_line(const Line& line, Records& records) {
-    json::ondemand::document document;
-    json::check(
-        parser_.iterate(line.text.data(), line.text.size(), line.text.size() + LineReader::kPadding)
-            .get(document));
-    Object object;
-    to_object(document, object);
-    const std::optional<std::string_view> type = find_type(object);
-    if (!type) {
-      rewind(object);
-      next_header_.emplace().line = line.number;
-      object_reader_.read_object(object, *next_header_);
-    } else {
-      check_room(records);
-      const auto known = std::ranges::find(kKnownTypes, *type, &KnownType::name);
-      if (known == kKnownTypes.end()) {
-        records.emplace_back(to_unknown(line));
-        return;
-      }
-      rewind(object);
-      known->read(object_reader_, object, line.number, records);
+  // Takes the next line that is not blank. One that cannot be had is the last.
+  bool next_line() {
+    if (has_ended_) return false;
+    has_ended_ = true;
+    try {
+      do {
+        if (!lines_.next(line_)) return false;
+      } while (is_blank(line_.text));
+    } catch (const Error& error) {
+      throw Error({name_, lines_.line_number()}, error.what());
     }
-    require_end(document);
+    has_ended_ = false;
+    return true;
+  }
+
+  // Does something with line_, and says of an Error in it where that was.
+  template <typename Work>
+  auto in_line(Work work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const Error& error) {
+      const bool cut = !line_.ended && !line_.text.ends_with('}');
+      throw Error(
+          {name_, line_.number},
+          error.what() + std::string(cut ? "; the stream ends in the middle of this line" : ""));
+    }
+  }
+
+  void parse(ParsedLine& parsed) {
+    const std::string_view text = line_.text;
+    json::check(parser_.iterate(text.data(), text.size(), text.size() + LineReader::kPadding)
+                    .get(parsed.document));
+    to_object(parsed.document, parsed.object);
+  }
+
+  // A header as programs write it: known even when what follows is broken, so that the document
+  // before it is whole.
+  bool is_plain_header() const { return line_.text.starts_with("{\"curves\":"); }
+
+  void require_header() {
+    if (is_plain_header()) return;
+    ParsedLine parsed;
+    parse(parsed);
+    if (find_type(parsed.object)) {
+      throw Error("a record before any header; a document begins with {\"curves\":1}");
+    }
+  }
+
+  void read_header(Header& header) {
+    ParsedLine parsed;
+    parse(parsed);
+    header.line = line_.number;
+    object_reader_.read_object(parsed.object, header);
+    require_end(parsed.document);
+  }
+
+  // Reads line_ onto `records`. False when it is the next header.
+  bool read_record(Records& records) {
+    is_at_header_ = is_plain_header();
+    if (is_at_header_) return false;
+    ParsedLine parsed;
+    parse(parsed);
+    const std::optional<std::string_view> type = find_type(parsed.object);
+    is_at_header_ = !type;
+    if (is_at_header_) return false;
+    check_room(records);
+    const auto known = std::ranges::find(kKnownTypes, *type, &KnownType::name);
+    if (known == kKnownTypes.end()) {
+      records.emplace_back(to_unknown(line_));
+      return true;
+    }
+    rewind(parsed.object);
+    known->read(object_reader_, parsed.object, line_.number, records);
+    require_end(parsed.document);
+    return true;
   }
 
   void check_room(const Records& records) const {
-    if (!in_document_) {
-      throw Error("a record before any header; a document begins with {\"curves\":1}");
-    }
     if (records.size() >= limits_.records) {
       throw Error("the document has more than " + std::to_string(limits_.records) +
                   " records; divide it");
@@ -163,8 +230,10 @@ class Reader::Implementation {
   LineReader lines_;
   std::string name_;
   ReaderLimits limits_;
-  bool in_document_ = false;
-  std::optional<Header> next_header_;
+  Line line_;                  // the one read last
+  bool has_ended_ = false;     // there are no more lines to be had
+  bool is_at_header_ = false;  // line_ is a header that has not been read
+  bool is_broken_ = false;     // what stands before the next header is not worth a word
   json::ondemand::parser parser_;
   ObjectReader object_reader_;
 };

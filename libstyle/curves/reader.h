@@ -31,6 +31,12 @@ class Reader {
   // the middle of a line, a line or document over the limits. Not checked: what records refer to
   // ("in", "clip", "curve", "of", "url(#id)"). A reference means a record before it in the
   // document; where there is none it has no effect.
+  //
+  // After an Error the next call goes on with the next document: everything up to the next header
+  // belongs to the broken one. A header is a JSON object with "curves" and without "type", or, even
+  // if the rest of it is broken, any line that begins with {"curves": as programs write it; nothing
+  // else can be taken for one. A line over the limit, or that the source fails to give, ends the
+  // stream.
   bool read(Document& document);
 
  private:

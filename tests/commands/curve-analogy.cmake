@@ -111,6 +111,12 @@ endforeach()
 command_case(curve-analogy/parameter-out-of-range
   RUN "curve-analogy --filtered styles/wavy.svg --samples 3 drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: .*samples is 3; give 100 to 20000.*")
+command_case(curve-analogy/many-more-threads-than-a-system-has
+  RUN "curve-analogy --filtered styles/wavy.svg --threads 1000000 drawings/plan.svg"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg")
+command_case(curve-analogy/threads-are-not-below-zero
+  RUN "curve-analogy --filtered styles/wavy.svg --threads -1 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: .*--threads.*'-1' is below zero; see curve-analogy --help")
 command_case(curve-analogy/scale-is-a-number
   RUN "curve-analogy --filtered styles/wavy.svg --scale big drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: --scale is a number or auto.*")

@@ -85,3 +85,58 @@ command_case(svg2curves/text-without-fonts-is-left-out
 ~svg2curves: .*#nested.*
 ~svg2curves: .*#moved.*
 ~svg2curves: .*#lines.*")
+
+command_case(svg2curves/strict-writes-nothing-of-several
+  RUN "svg2curves --strict drawings/plan.svg broken/nan-coordinates.svg drawings/harbour.svg -q -o $OUT/a.curves; test $? = 1 && test $(ls $OUT | wc -l) = 0"
+  STDERR "svg2curves: not everything was carried, and --strict asks for that")
+
+command_case(svg2curves/first-error-ends-the-run
+  RUN "svg2curves drawings/plan.svg nowhere.svg broken/empty.svg -o $OUT/a.curves; test $? = 1 && test $(ls $OUT | wc -l) = 0"
+  STDERR "svg2curves: nowhere.svg: cannot be opened: No such file or directory")
+command_case(svg2curves/keep-going-skips-what-is-bad
+  RUN "svg2curves --keep-going nowhere.svg drawings/plan.svg . broken/truncated.svg drawings/harbour.svg -o $OUT/a.curves; test $? = 1 && cat $OUT/a.curves"
+  STDERR "svg2curves: nowhere.svg: cannot be opened: No such file or directory
+svg2curves: .: is a folder; name a file
+~svg2curves: broken/truncated.svg:1: .*"
+  SAME "svg2curves drawings/plan.svg drawings/harbour.svg")
+command_case(svg2curves/keep-going-over-nothing-good-writes-nothing
+  RUN "svg2curves --keep-going nowhere.svg broken/empty.svg -o $OUT/a.curves; test $? = 1 && test $(ls $OUT | wc -l) = 0"
+  STDERR "svg2curves: nowhere.svg: cannot be opened: No such file or directory
+~svg2curves: broken/empty.svg:1: .*")
+command_case(svg2curves/keep-going-does-not-hide-a-full-disk
+  RUN "svg2curves --keep-going drawings/plan.svg drawings/harbour.svg -o /dev/full" EXIT 1
+  STDERR "svg2curves: /dev/full: cannot be written: No space left on device")
+command_case(svg2curves/the-same-on-any-number-of-threads
+  RUN "for n in 1 1 1; do svg2curves --threads $n --keep-going broken/*.svg drawings/*.svg nowhere.svg ../tests/golden/svg-text/*.svg styles/*.svg 2>&1; done || true"
+  SAME "for n in 2 7 0; do svg2curves --threads $n --keep-going broken/*.svg drawings/*.svg nowhere.svg ../tests/golden/svg-text/*.svg styles/*.svg 2>&1; done || true")
+command_case(svg2curves/stdin-twice-is-read-once
+  RUN "svg2curves --threads 3 --keep-going - drawings/harbour.svg - < drawings/plan.svg | grep -o '\"curves\":1,\"name\":\"[a-z]*\"'" EXIT 1
+  STDERR "svg2curves: stdin:1: is no XML: it has no element"
+  SAME "printf '\"curves\":1,\"name\":\"%s\"\n' stdin harbour")
+command_case(svg2curves/threads-are-not-below-zero
+  RUN "svg2curves --threads -1 drawings/plan.svg" EXIT 2
+  STDERR "~svg2curves: .*--threads.*'-1' is below zero; see svg2curves --help")
+
+command_case(svg2curves/report-says-what-stderr-says
+  RUN "svg2curves --keep-going --quiet --report $OUT/report.json broken/*.svg drawings/plan.svg > /dev/null; test $? = 1 && cat $OUT/report.json"
+  STDERR "~svg2curves: broken/billion-laughs.svg:13: .*
+~svg2curves: broken/empty.svg:1: .*
+~svg2curves: broken/not-xml.svg:1: .*
+~svg2curves: broken/truncated.svg:1: .*"
+  STDOUT expected/report.json)
+command_case(svg2curves/report-is-written-when-strict-fails
+  RUN "svg2curves --strict --quiet --report $OUT/report.json -o $OUT/a.curves broken/nan-coordinates.svg; test $? = 1 && ls $OUT && grep -o '^{\"severity\":\"[a-z]*\",\"file\":[^,]*' $OUT/report.json"
+  STDERR "svg2curves: not everything was carried, and --strict asks for that"
+  SAME [[echo report.json; printf '{"severity":"%s","file":%s\n' warning '"broken/nan-coordinates.svg"' warning '"broken/nan-coordinates.svg"' error null]])
+command_case(svg2curves/report-of-a-clean-run
+  RUN "svg2curves --report $OUT/report.json drawings/plan.svg -o $OUT/a.curves && cat $OUT/report.json"
+  SAME [[printf '{"report":1,"program":"svg2curves","exit":0,"errors":0,"warnings":0,"messages":[\n]}\n']])
+command_case(svg2curves/report-on-stdout
+  RUN "svg2curves --report - drawings/plan.svg -o $OUT/a.curves"
+  SAME "svg2curves --report $OUT/report.json drawings/plan.svg -o $OUT/a.curves && cat $OUT/report.json")
+command_case(svg2curves/report-and-output-not-both-on-stdout
+  RUN "svg2curves --report - drawings/plan.svg" EXIT 2
+  STDERR "svg2curves: --report and --output cannot both be stdout; see svg2curves --help")
+command_case(svg2curves/report-that-cannot-be-written
+  RUN "svg2curves --report $OUT/none/report.json drawings/plan.svg" EXIT 1
+  STDERR "~svg2curves: .*/none/report.json: cannot be written: No such file or directory")

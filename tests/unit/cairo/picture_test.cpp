@@ -61,6 +61,27 @@ TEST(Picture, PngAndSvgHoldOne) {
   }
 }
 
+TEST(Picture, APageThatFailsLeavesNoTrace) {
+  Document bad = some_drawing();
+  for (int i = 0; i < 2000; ++i) {  // more groups in each other than can be drawn
+    GroupRecord layer = group("n" + std::to_string(i), 0.5);
+    if (i > 0) layer.parent = "n" + std::to_string(i - 1);
+    bad.records.emplace_back(layer);
+  }
+  bad.records.emplace_back(in("n1999", filled("M0 0 L9 9 L0 9 Z")));
+  PictureSettings settings;
+  settings.format = PictureFormat::kPdf;
+  TextSink sink;
+  Picture picture(sink, settings, {});
+  EXPECT_THROW(picture.add(bad), Error);
+  picture.add(some_drawing());
+  EXPECT_THROW(picture.add(bad), Error);
+  picture.add(some_drawing());
+  EXPECT_THROW(picture.add(bad), Error);
+  picture.finish();
+  EXPECT_EQ(sink.text, picture_of({some_drawing(), some_drawing()}, settings));
+}
+
 TEST(Picture, TheFormatIsThatOfTheEnding) {
   EXPECT_EQ(picture_format("out/a.b.png"), PictureFormat::kPng);
   EXPECT_EQ(picture_format("A.SVG"), PictureFormat::kSvg);

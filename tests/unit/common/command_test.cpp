@@ -90,6 +90,8 @@ TEST(Command, WrongUseIsOneLineAndExitTwo) {
                                              {"--mode", "odd"},
                                              {"--seed"},
                                              {"--seed", "-1"},
+                                             {"--threads", "-1"},
+                                             {"--threads", "1.5"},
                                              {"--scale", "nan"},
                                              {"--scale", "1x"}}) {
     Sample sample;
@@ -139,6 +141,12 @@ TEST(Command, ClosedPipeIsAQuietSuccess) {
   CaptureStderr();
   EXPECT_EQ(exit_code_of([](Session&) { throw ClosedPipe(); }), 0);
   EXPECT_EQ(GetCapturedStderr(), "");
+}
+
+TEST(Command, AnErrorThatDidNotEndTheRunMakesExitOne) {
+  CaptureStderr();
+  EXPECT_EQ(exit_code_of([](Session& session) { session.error(Error({"a.svg"}, "is bad")); }), 1);
+  EXPECT_EQ(GetCapturedStderr(), "sample: a.svg: is bad\n");
 }
 
 TEST(Session, CountsWarningsAndNamesPlaceAndId) {

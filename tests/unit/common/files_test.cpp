@@ -81,12 +81,12 @@ TEST_F(Files, NewFileFollowsTheUmask) {
 
 TEST_F(Files, FullDiskIsAnErrorThatNamesTheFile) {
   OutputFile output("/dev/full");
-  EXPECT_THAT([&] { output.write("text"); }, ThrowsMessage<Error>(HasSubstr("/dev/full")));
+  EXPECT_THAT([&] { output.write("text"); }, ThrowsMessage<OutputError>(HasSubstr("/dev/full")));
 }
 
 TEST_F(Files, UnwritablePlaceIsAnErrorThatNamesTheFile) {
   EXPECT_THAT([&] { OutputFile output(path("missing/a")); },
-              ThrowsMessage<Error>(HasSubstr("missing/a: cannot be written")));
+              ThrowsMessage<OutputError>(HasSubstr("missing/a: cannot be written")));
 }
 
 TEST_F(Files, InputReadsBackWhole) {

@@ -97,8 +97,9 @@ TEST(CurvesErrors, SayWhenAHeaderIsMissingOrUnknown) {
   EXPECT_THAT(failure_of_stream("{\"type\":\"group\"}\n"),
               AllOf(StartsWith("plan.curves:1: "), HasSubstr("a record before any header")));
   EXPECT_THAT(failure_of_stream("{\"type\":\"star\"}\n"), HasSubstr("a record before any header"));
-  EXPECT_THAT(failure_of_stream("{\"name\":\"x\"}\n"), HasSubstr("\"curves\" is missing"));
-  EXPECT_THAT(failure_of_stream("{}\n"), HasSubstr("\"curves\" is missing"));
+  EXPECT_THAT(failure_of_stream("{\"name\":\"x\"}\n"),
+              HasSubstr("\"type\" is missing, or \"curves\" if it is a header"));
+  EXPECT_THAT(failure_of_stream("{}\n"), HasSubstr("\"type\" is missing"));
   EXPECT_THAT(failure_of_stream("{\"curves\":2}\n"),
               HasSubstr("\"curves\": must be 1, the version this program reads"));
   EXPECT_THAT(failure_of_stream("{\"curves\":\"1\"}\n"), HasSubstr("must be a finite number"));
