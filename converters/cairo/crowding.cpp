@@ -62,8 +62,8 @@ void count_edges(Canvas& canvas, const Path& path, const Transform& device_from_
                  double edges_per_segment) {
   constexpr std::size_t kFew = 100;  // points; nothing on a page of any size
   if (!canvas.is_raster || path.points().size() <= kFew) return;
-  canvas.edge_pairs += edges_per_segment * edges_per_segment *
-                       edge_pairs(path, device_from_path, canvas.window);
+  canvas.edge_pairs +=
+      edges_per_segment * edges_per_segment * edge_pairs(path, device_from_path, canvas.window);
   if (canvas.edge_pairs > kMostEdgePairs) {
     throw Error(
         "so many lines side by side would take minutes to draw as PNG; simplify the path, or draw "

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeps drawings out of Cairo that it would take minutes to fill.
 //
-// Cairo goes down a picture and holds the edges of a path that cross each line of it in order. Where
-// k of them stand side by side it may have to swap up to k^2 / 2 of them before the next line, so a
-// scribble of a hundred thousand lines across a page takes a minute, and one of ten million a week.
-// The measure here is the sum of k^2 over the rows of pixels. Many short lines, such as a coast of
-// millions of points, keep k small and count for nothing.
+// Cairo goes down a picture and holds the edges of a path that cross each line of it in order.
+// Where k of them stand side by side it may have to swap up to k^2 / 2 of them before the next
+// line, so a scribble of a hundred thousand lines across a page takes a minute, and one of ten
+// million a week. The measure here is the sum of k^2 over the rows of pixels. Many short lines,
+// such as a coast of millions of points, keep k small and count for nothing.
 #pragma once
 
 #include "converters/cairo/canvas.h"

@@ -17,7 +17,8 @@ namespace {
 // Whether the group says anything of its own.
 bool carries_something(const GroupRecord& group, std::string_view wanted_id) {
   return !wanted_id.empty() || !group.classes.empty() || !group.label.empty() ||
-         !group.extras.empty() || group.layer || group.opacity != 1 || !group.clip.empty() ||
+         !group.extras.empty() || group.layer || group.opacity != 1 ||
+         group.blend_mode != BlendMode::kNormal || group.isolated || !group.clip.empty() ||
          group.hidden;
 }
 
@@ -63,6 +64,8 @@ std::string DocumentBuilder::add_group(pugi::xml_node element, const GroupLook& 
   describe(group, element);
   group.layer = std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
   group.opacity = look.opacity;
+  group.blend_mode = look.blend_mode;
+  group.isolated = look.isolated;
   group.clip = look.clip;
   group.hidden = look.hidden;
   const std::string wanted = text_of(element.attribute("id"));

@@ -27,6 +27,8 @@ class OutputIds {
 // How a group as a whole is drawn.
 struct GroupLook {
   double opacity = 1;
+  BlendMode blend_mode = BlendMode::kNormal;
+  bool isolated = false;
   std::string clip;
   bool hidden = false;
 };

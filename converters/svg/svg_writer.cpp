@@ -172,11 +172,23 @@ class SvgWriter {
       write_container(*group, place, again);
       if (group->layer) xml_.attribute("inkscape:groupmode", "layer");
       if (group->opacity != 1) xml_.attribute("opacity", group->opacity);
+      write_blending(*group);
       refer_to_clip(group->clip, *group);
       if (group->hidden) xml_.attribute("display", "none");
     } else {
       write_container(std::get<ElementRecord>(record), place, again);
     }
+  }
+
+  // These two are no presentation attributes.
+  void write_blending(const GroupRecord& group) {
+    std::string style;
+    if (group.blend_mode != BlendMode::kNormal) {
+      style += "mix-blend-mode:";
+      style += kBlendModeNames[static_cast<std::size_t>(group.blend_mode)];
+    }
+    if (group.isolated) style += style.empty() ? "isolation:isolate" : ";isolation:isolate";
+    if (!style.empty()) xml_.attribute("style", style);
   }
 
   // An id can stand once, so only where the container is opened first.

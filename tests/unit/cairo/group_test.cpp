@@ -29,6 +29,26 @@ TEST(DrawGroup, WithoutOpacityChangesNothing) {
   EXPECT_EQ(with, without);
 }
 
+TEST(DrawGroup, BlendsWithWhatLiesBelow) {
+  GroupRecord multiply = group("m");
+  multiply.blend_mode = BlendMode::kMultiply;
+  const Records below = {filled(kLeft, {255, 128, 0}), filled(kRight, {255, 128, 0})};
+  const Image image =
+      draw(make_page({below[0], below[1], multiply, in("m", filled(kRight, {0, 255, 255}))}));
+  EXPECT_EQ(image.at(20, 50), (Pixel{255, 128, 0, 255}));
+  EXPECT_EQ(image.at(80, 50), (Pixel{0, 128, 0, 255}));
+}
+
+TEST(DrawGroup, IsolatedMembersBlendWithEachOtherAlone) {
+  GroupRecord isolated = group("i");
+  isolated.isolated = true;
+  GroupRecord multiply = group("m");
+  multiply.blend_mode = BlendMode::kMultiply;
+  const Image image = draw(make_page(
+      {filled(kLeft, kRed), isolated, in("i", multiply), in("m", filled(kLeft, {0, 0, 255}))}));
+  EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 255, 255}));
+}
+
 TEST(DrawGroup, NestedOpacitiesMultiply) {
   const Image image =
       draw(make_page({group("a", 0.5), in("a", group("b", 0.5)), in("b", filled(kLeft))}));

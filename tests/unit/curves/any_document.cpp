@@ -169,6 +169,8 @@ class DocumentMaker {
     auto record = base<GroupRecord>();
     record.layer = sometimes();
     if (sometimes()) record.opacity = fraction();
+    record.blend_mode = static_cast<BlendMode>(below(kBlendModeNames.size()));
+    record.isolated = sometimes();
     record.clip = text();
     record.hidden = sometimes();
     return record;

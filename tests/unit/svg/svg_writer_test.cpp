@@ -97,6 +97,14 @@ TEST(SvgWriter, NestsGroupsAgain) {
             "  <g id=\"empty\"/>\n");
 }
 
+TEST(SvgWriter, WritesBlendingAsStyle) {
+  GroupRecord group = group_record("g");
+  group.blend_mode = BlendMode::kColorDodge;
+  group.isolated = true;
+  EXPECT_EQ(body({group}),
+            "  <g id=\"g\" style=\"mix-blend-mode:color-dodge;isolation:isolate\"/>\n");
+}
+
 TEST(SvgWriter, WritesPaintAsAttributes) {
   PathRecord path = path_record("");
   path.path = parse_path_data("M0 0 L5 0");
