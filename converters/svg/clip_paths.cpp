@@ -18,8 +18,12 @@ class ClipCanvas final : public Canvas {
  public:
   ClipCanvas(ClipPaths& clips, Reporter& reporter) : clips_(clips), reporter_(reporter) {}
 
+  // SVG 1.1, section 14.3.5: a clipPath holds shapes, and `use` that refers to them directly;
+  // groups let nothing through.
   bool open_group(pugi::xml_node element, Scope& scope,
                   const std::optional<Rectangle>& /*viewport*/) override {
+    const bool is_use = std::string_view(element.name()) == "use";
+    if (!is_use || std::string_view(element.parent().name()) != "clipPath") return false;
     if (!scope.style.clip_path.empty()) {
       reporter_.warn(element, "clip-path of a group within a clipPath is not carried");
     }
@@ -50,6 +54,8 @@ bool is_in_bounds_units(pugi::xml_node clip) {
   return std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox";
 }
 
+bool has_area(const Box& box) { return box.width() > 0 && box.height() > 0; }
+
 Transform user_from_bounds(const Box& bounds) {
   return {bounds.width(), 0, 0, bounds.height(), bounds.low.x, bounds.low.y};
 }
@@ -65,6 +71,7 @@ std::string ClipPaths::find_or_add(pugi::xml_node element, const Scope& scope,
       last->second.viewport == scope.viewport) {
     return last->second.id;
   }
+  if (is_in_bounds_units(clip) && !has_area(bounds())) return "";  // SVG 1.1, section 7.11
   std::string id = add(clip, scope, bounds);
   if (!is_in_bounds_units(clip)) {
     last_uses_[clip.internal_object()] = {scope.page_from_user, scope.viewport, id};
