@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/cascade.h"
 #include "libstyle/geometry/path_segments.h"
 
@@ -39,6 +40,10 @@ class ClipCanvas final : public Canvas {
     part.path = std::move(path);
     part.path.transform(scope.page_from_user);
     part.rule = style.clip_rule;
+    const pugi::xml_attribute carried = element.attribute(kCarriedKeys);
+    if (carried && !restore_carried_extras(carried.value(), part)) {
+      reporter_.warn(element, std::string(kCarriedKeys) + " is wrong; left out");
+    }
     parts_.push_back(std::move(part));
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/cascade.h"
 #include "converters/svg/scanner.h"
 #include "converters/svg/transform_list.h"
@@ -96,6 +97,10 @@ std::vector<GradientStop> read_stops(pugi::xml_node gradient, const FileIndex& i
     const CssColor color = style.stop_color.resolve(style.color).value_or(CssColor{{}, 0});
     const double least = stops.empty() ? 0 : stops.back().offset;
     stops.push_back({std::max(*offset, least), color.color, style.stop_opacity * color.alpha});
+    const pugi::xml_attribute carried = element.attribute(kCarriedKeys);
+    if (carried && !restore_carried_extras(carried.value(), stops.back())) {
+      reporter.warn(element, std::string(kCarriedKeys) + " is wrong; left out");
+    }
   }
   return stops;
 }

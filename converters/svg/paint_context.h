@@ -7,8 +7,8 @@
 
 namespace libstyle::svg {
 
-// A paint with its opacity. As librsvg has it, the opacity of the context takes the place of that of
-// the shape, and a gradient refers to the shape's own box and space.
+// A paint with its opacity. As librsvg has it, the opacity of the context takes the place of that
+// of the shape, and a gradient refers to the shape's own box and space.
 struct ContextPaint {
   SpecifiedPaint paint;
   double opacity = 1;

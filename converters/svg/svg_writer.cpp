@@ -85,7 +85,9 @@ class SvgWriter {
     header.width = header.height = std::nullopt;
     header.page_width = header.page_height = "";
     std::string records;
-    for (const Record& record : document_.records) append_carried_record(records, record);
+    for (const Record& record : document_.records) {
+      if (draws_nothing(record)) append_record(records, record);
+    }
     if (header == Header{} && records.empty()) return;
     std::string text;
     append_header(text, header);
@@ -97,30 +99,14 @@ class SvgWriter {
     xml_.end();
   }
 
-  // Records that draw nothing, with the ids that their curves have here.
-  void append_carried_record(std::string& text, const Record& record) const {
-    Record carried;
-    if (const auto* constraint = std::get_if<ConstraintRecord>(&record)) {
-      carried = with_id_of(*constraint, &ConstraintRecord::curve);
-    } else if (const auto* adjustment = std::get_if<AdjustmentRecord>(&record)) {
-      carried = with_id_of(*adjustment, &AdjustmentRecord::curve);
-    } else if (const auto* label = std::get_if<LabelRecord>(&record)) {
-      carried = with_id_of(*label, &LabelRecord::of);
-    } else if (const auto* seed = std::get_if<SeedRecord>(&record)) {
-      carried = with_id_of(*seed, &SeedRecord::curve);
-    } else if (const auto* unknown = std::get_if<UnknownRecord>(&record)) {
-      carried = *unknown;
-    } else {
-      return;
-    }
-    append_record(text, carried);
-  }
-
-  template <typename T>
-  T with_id_of(T record, std::string T::*reference) const {
-    const std::string& id = ids_.find(record.*reference);
-    if (!id.empty()) record.*reference = id;
-    return record;
+  // Records that draw nothing. They name their curves as the document does, and elements carry
+  // those names.
+  static bool draws_nothing(const Record& record) {
+    return std::holds_alternative<ConstraintRecord>(record) ||
+           std::holds_alternative<AdjustmentRecord>(record) ||
+           std::holds_alternative<LabelRecord>(record) ||
+           std::holds_alternative<SeedRecord>(record) ||
+           std::holds_alternative<UnknownRecord>(record);
   }
 
   void write_definitions() {
@@ -196,8 +182,8 @@ class SvgWriter {
   void write_container(const Container& container, std::size_t place, bool again) {
     if (again) {
       warn_once(container, "its members do not stand together; written as several groups", "split");
-    } else if (!ids_.at(place).empty()) {
-      xml_.attribute("id", ids_.at(place));
+    } else {
+      write_id(xml_, container, ids_.at(place));
     }
     write_notes(xml_, container);
     const std::string carried = carried_keys(container);
@@ -272,7 +258,7 @@ class SvgWriter {
 
   void begin_path(std::string_view element, const PathRecord& path, const std::string& id) {
     xml_.begin(element);
-    if (!id.empty()) xml_.attribute("id", id);
+    write_id(xml_, path, id);
     write_notes(xml_, path);
   }
 
