@@ -195,11 +195,22 @@ class SvgWriter {
       warn_once(path, "SVG has no strokes that vary along the curve; drawn with their mean",
                 "along");
     }
-    if (path.style.stroke_transform && inverse(*path.style.stroke_transform)) {
-      write_transformed_path(path, id);
-    } else {
-      write_plain_path(path, id);
-    }
+    if (!path.style.stroke_transform) return write_plain_path(path, id);
+    const std::optional<Path> pen_path = in_pen_space(path);
+    if (pen_path) return write_transformed_path(path, *pen_path, id);
+    warn_once(path, "the space of its pen is too extreme for SVG; drawn with a round pen", "pen");
+    write_plain_path(path, id);
+  }
+
+  // The path in the space of its pen; nothing when that has no inverse or leads beyond all numbers.
+  static std::optional<Path> in_pen_space(const PathRecord& path) {
+    const std::optional<Transform> pen_from_page = inverse(*path.style.stroke_transform);
+    if (!pen_from_page) return std::nullopt;
+    Path result = path.path;
+    result.transform(*pen_from_page);
+    const auto finite = [](Point point) { return is_finite(point); };
+    return std::ranges::all_of(result.points(), finite) ? std::optional(std::move(result))
+                                                        : std::nullopt;
   }
 
   void write_plain_path(const PathRecord& path, const std::string& id) {
@@ -217,7 +228,7 @@ class SvgWriter {
 
   // A clip stands around the path: its coordinates are those of the page. Gradients are brought
   // into the space of the pen.
-  void write_transformed_path(const PathRecord& path, const std::string& id) {
+  void write_transformed_path(const PathRecord& path, const Path& pen_path, const std::string& id) {
     const Transform page_from_pen = *path.style.stroke_transform;
     const Transform pen_from_page = *inverse(page_from_pen);
     const bool clipped = !path.clip.empty();
@@ -226,8 +237,6 @@ class SvgWriter {
       refer_to_clip(path.clip, path);
     }
     const GradientIds gradient_ids = write_transformed_gradients(path, pen_from_page);
-    Path pen_path = path.path;
-    pen_path.transform(pen_from_page);
     begin_path("path", path, id);
     xml_.attribute("transform", to_matrix(page_from_pen));
     write_style(xml_, path, gradient_ids);
@@ -243,7 +252,7 @@ class SvgWriter {
     for (const std::optional<Paint>& paint : {path.style.fill, path.style.stroke}) {
       const auto* reference = paint ? std::get_if<PaintReference>(&*paint) : nullptr;
       const GradientRecord* gradient = reference ? find_gradient(*reference, path) : nullptr;
-      if (!gradient) continue;
+      if (!gradient || !(pen_from_page * gradient->page_from_gradient).is_finite()) continue;
       written.emplace_back(reference->id, ids_.make_unique(ids_.find(reference->id)));
       xml_.begin("defs");
       write_gradient(xml_, *gradient, written.back().second, pen_from_page);

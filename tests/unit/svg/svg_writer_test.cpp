@@ -227,6 +227,15 @@ TEST(SvgWriter, TransformsThePathToThePen) {
             "d=\"M0 0 L2.5 0 L2.5 1.25\"/>\n");
 }
 
+TEST(SvgWriter, DrawsWithARoundPenWhereItsSpaceIsBeyondAllNumbers) {
+  PathRecord path = path_record("a");
+  path.style.stroke_transform = Transform{1e-200, 0, 0, 1, 0, 0};
+  path.path = parse_path_data("M0 0 L1e200 0");
+  const Written written = write({{}, {path}});
+  EXPECT_THAT(written.text, HasSubstr("d=\"M0 0 L1e"));
+  EXPECT_THAT(written.warnings, ::testing::ElementsAre(HasSubstr("too extreme")));
+}
+
 TEST(SvgWriter, BringsGradientsAndClipsToTheTransformedPath) {
   GradientRecord gradient;
   gradient.id = "g";
