@@ -58,6 +58,7 @@ struct InheritedProperties {
   std::vector<Length> dash_array;
   Length dash_offset;
   PaintOrder paint_order;
+  bool crisp_edges = false;  // shape-rendering
   Visibility visibility = Visibility::kVisible;
   double font_size = 12;          // px, as in librsvg
   std::string_view marker_start;  // what url() holds; empty: none

@@ -64,9 +64,10 @@ void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path pa
   record.path.transform(scope.page_from_user);
   record.shape = shape_name(kind, element);
   settle_shape(record.shape, record.path);
+  const std::string group = group_around(record, scope, marked);
+  if (!marked) return builder_.add_path(element, std::move(record), group);
   Scope around = scope;
-  around.group = group_around(record, scope, marked);
-  if (!marked) return builder_.add_path(element, std::move(record), around.group);
+  around.group = group;
   const auto draw_markers = [&] { markers_.draw(element, kind, user_path, around); };
   add_path_and_markers(element, std::move(record), around, draw_markers);
 }

@@ -24,6 +24,7 @@ Style Painter::painted_style(pugi::xml_node element, const ComputedStyle& comput
     reporter_.warn(element, "has a stroke that is too large; it is left out");
     style.stroke.reset();
   }
+  style.crisp_edges = computed.crisp_edges;
   style.opacity = computed.opacity;
   style.hidden = computed.display == Display::kNone || computed.visibility == Visibility::kHidden ||
                  shape.page_from_user.determinant() == 0;

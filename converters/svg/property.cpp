@@ -217,6 +217,14 @@ std::optional<BlendMode> parse_blend_mode(Text text) {
   return static_cast<BlendMode>(found - kBlendModeNames.begin());
 }
 
+// Whether edges are crisp, rather than smoothed.
+std::optional<bool> parse_shape_rendering(Text text) {
+  return find_keyword<bool>(text, {{"auto", false},
+                                   {"geometricPrecision", false},
+                                   {"optimizeSpeed", true},
+                                   {"crispEdges", true}});
+}
+
 std::optional<bool> parse_isolation(Text text) {
   return find_keyword<bool>(text, {{"auto", false}, {"isolate", true}});
 }
@@ -273,6 +281,7 @@ constexpr Property kProperties[] = {
     property<&Style::radius, parse_size>("r"),
     automatic_size<&Style::radius_x>("rx"),
     automatic_size<&Style::radius_y>("ry"),
+    property<&Style::crisp_edges, parse_shape_rendering>("shape-rendering"),
     property<&Style::stop_color, parse_stop_color>("stop-color"),
     property<&Style::stop_opacity, parse_opacity>("stop-opacity"),
     property<&Style::stroke, parse_paint>("stroke"),

@@ -180,6 +180,8 @@ inline constexpr auto kFields<PathRecord> = std::tuple_cat(
         Field{"stroke-dashoffset", in_style(&Style::dash_offset), NumberForm{0}},
         Field{"stroke-transform", in_style(&Style::stroke_transform), TransformForm{}},
         Field{"paint-order", in_style(&Style::stroke_first), WordForm<2>{{"normal", "stroke"}}},
+        Field{"shape-rendering", in_style(&Style::crisp_edges),
+              WordForm<2>{{"auto", "crispEdges"}}},
         Field{"opacity", in_style(&Style::opacity), kOpacity},
         Field{"visibility", in_style(&Style::hidden), kVisibilities},
         Field{"d", &PathRecord::path, PathForm{}, Presence::kRequired},

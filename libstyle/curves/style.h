@@ -90,6 +90,7 @@ struct Style {
   std::optional<Transform> stroke_transform;
 
   bool stroke_first = false;  // paint-order: stroke
+  bool crisp_edges = false;   // shape-rendering: crispEdges; pixels are painted whole or not at all
   double opacity = 1;         // 0 .. 1, of fill and stroke together
   bool hidden = false;        // visibility: hidden; kept, not drawn
 

@@ -29,6 +29,15 @@ TEST(DrawGroup, WithoutOpacityChangesNothing) {
   EXPECT_EQ(with, without);
 }
 
+TEST(DrawPath, PaintsWholePixelsWithCrispEdges) {
+  PathRecord path = filled("M10.5 10.3 L60.4 20.8 L30 90 Z");
+  path.style.crisp_edges = true;
+  const Image image = draw(make_page({path}));
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) EXPECT_EQ(image.at(x, y)[3] % 255, 0) << x << ' ' << y;
+  }
+}
+
 TEST(DrawGroup, BlendsWithWhatLiesBelow) {
   GroupRecord multiply = group("m");
   multiply.blend_mode = BlendMode::kMultiply;

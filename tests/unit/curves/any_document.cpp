@@ -120,6 +120,7 @@ class DocumentMaker {
     if (sometimes()) result.dash_offset = number();
     if (sometimes()) result.stroke_transform = transform();
     result.stroke_first = sometimes();
+    result.crisp_edges = sometimes();
     if (sometimes()) result.opacity = fraction();
     result.hidden = sometimes();
     return result;

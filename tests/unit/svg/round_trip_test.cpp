@@ -110,7 +110,8 @@ TEST(RoundTrip, KeepsPaint) {
   expect_round_trip(read(
       "<path d='M0 0h9v9' fill='none' stroke='#123456' stroke-width='.3' stroke-dasharray='1 2 3'"
       " stroke-dashoffset='-1' stroke-linecap='round' stroke-linejoin='bevel' opacity='.7'"
-      " stroke-opacity='.1' stroke-miterlimit='9' paint-order='stroke'/>"
+      " stroke-opacity='.1' stroke-miterlimit='9' shape-rendering='crispEdges' "
+      "paint-order='stroke'/>"
       "<path d='M0 0h9v9' fill='rgba(1,2,3,.5)' fill-opacity='.5' fill-rule='evenodd'/>"));
 }
 

@@ -157,11 +157,24 @@ TEST(SvgReader, CarriesTheWholeStroke) {
   EXPECT_EQ(style.line_join, LineJoin::kBevel);
   EXPECT_EQ(style.miter_limit, 7);
   EXPECT_TRUE(style.stroke_first);
+  EXPECT_FALSE(style.crisp_edges);
   EXPECT_EQ(style.opacity, 0.25);
   EXPECT_EQ(style.fill_rule, FillRule::kEvenOdd);
 }
 
 // --- Groups -------------------------------------------------------------------------------------
+
+TEST(SvgReader, KnowsCrispEdges) {
+  const auto is_crisp = [](const std::string& value) {
+    return read("<g shape-rendering='" + value + "'><path d='M0 0H1'/></g>")
+        .path()
+        .style.crisp_edges;
+  };
+  EXPECT_TRUE(is_crisp("crispEdges"));
+  EXPECT_TRUE(is_crisp("optimizeSpeed"));
+  EXPECT_FALSE(is_crisp("geometricPrecision"));
+  EXPECT_FALSE(is_crisp("sharp"));
+}
 
 TEST(SvgReader, PutsWhatBlendsIntoGroups) {
   const Reading reading = read(
