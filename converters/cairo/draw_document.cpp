@@ -39,8 +39,10 @@ class Painter {
   struct Open {
     std::size_t place;
     bool hidden = false;
+    bool has_layer = false;
     double opacity = 1;
-    std::unique_ptr<ClipScope> clip;
+    BlendMode blend_mode = BlendMode::kNormal;
+    std::unique_ptr<ClipScope> clip = nullptr;
   };
 
   static Box window_of(cairo_t* context) {
@@ -88,7 +90,7 @@ class Painter {
   }
 
   void open(std::size_t place) {
-    Open entry{place, false, 1, nullptr};
+    Open entry{.place = place};
     if (const auto* group = std::get_if<GroupRecord>(&document_.records[place])) {
       entry.hidden = group->hidden || group->opacity <= 0;
       if (!entry.hidden && hidden_depth_ == 0) begin(*group, ink_[place], entry);
@@ -100,13 +102,15 @@ class Painter {
   void begin(const GroupRecord& group, const Box& ink, Open& entry) {
     if (!group.clip.empty()) entry.clip = std::make_unique<ClipScope>(canvas_, group.clip, group);
     entry.opacity = group.opacity;
-    if (group.opacity < 1) begin_layer_over(canvas_, ink);
+    entry.blend_mode = group.blend_mode;
+    entry.has_layer = group.opacity < 1 || group.isolated || group.blend_mode != BlendMode::kNormal;
+    if (entry.has_layer) begin_layer_over(canvas_, ink);
   }
 
   void close() {
     const Open entry = std::move(open_.back());
     open_.pop_back();
-    if (entry.opacity < 1) draw_layer(canvas_, entry.opacity);
+    if (entry.has_layer) draw_layer(canvas_, entry.opacity, entry.blend_mode);
     if (entry.clip) entry.clip->end();
     if (entry.hidden) --hidden_depth_;
   }

@@ -49,6 +49,8 @@ void draw_path(Canvas& canvas, const PathRecord& record, const Box& ink) {
   const double opacity = record.style.opacity;
   if (ink.empty() || opacity <= 0) return;
   ClipScope clip(canvas, record.clip, record);
+  const bool crisp = record.style.crisp_edges;
+  cairo_set_antialias(canvas.context, crisp ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
   if (opacity < 1 && has_fill(record) && has_stroke(record)) {
     begin_layer_over(canvas, ink);
     draw_fill_and_stroke(canvas, record, 1);
@@ -56,6 +58,7 @@ void draw_path(Canvas& canvas, const PathRecord& record, const Box& ink) {
   } else {
     draw_fill_and_stroke(canvas, record, opacity);
   }
+  cairo_set_antialias(canvas.context, CAIRO_ANTIALIAS_DEFAULT);
   clip.end();
 }
 

@@ -10,6 +10,17 @@ namespace {
 constexpr std::size_t kMostLayers = 1000;
 constexpr double kMostBytes = 1 << 30;
 
+cairo_operator_t to_cairo(BlendMode mode) {
+  constexpr cairo_operator_t kOperators[] = {
+      CAIRO_OPERATOR_OVER,          CAIRO_OPERATOR_MULTIPLY,       CAIRO_OPERATOR_SCREEN,
+      CAIRO_OPERATOR_OVERLAY,       CAIRO_OPERATOR_DARKEN,         CAIRO_OPERATOR_LIGHTEN,
+      CAIRO_OPERATOR_COLOR_DODGE,   CAIRO_OPERATOR_COLOR_BURN,     CAIRO_OPERATOR_HARD_LIGHT,
+      CAIRO_OPERATOR_SOFT_LIGHT,    CAIRO_OPERATOR_DIFFERENCE,     CAIRO_OPERATOR_EXCLUSION,
+      CAIRO_OPERATOR_HSL_HUE,       CAIRO_OPERATOR_HSL_SATURATION, CAIRO_OPERATOR_HSL_COLOR,
+      CAIRO_OPERATOR_HSL_LUMINOSITY};
+  return kOperators[static_cast<std::size_t>(mode)];
+}
+
 double layer_bytes(cairo_t* context) {
   double left = 0, top = 0, right = 0, bottom = 0;
   cairo_clip_extents(context, &left, &top, &right, &bottom);
@@ -49,9 +60,10 @@ void begin_layer_over(Canvas& canvas, const Box& ink) {
   begin_layer(canvas);
 }
 
-void draw_layer(Canvas& canvas, double opacity) {
+void draw_layer(Canvas& canvas, double opacity, BlendMode mode) {
   const CairoPattern layer = end_layer(canvas);
   cairo_set_source(canvas.context, layer.get());
+  cairo_set_operator(canvas.context, to_cairo(mode));
   cairo_paint_with_alpha(canvas.context, opacity);
   cairo_restore(canvas.context);
 }

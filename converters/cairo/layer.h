@@ -17,6 +17,6 @@ CairoPattern end_layer(Canvas& canvas);
 // A layer as large as what it will hold, which is known beforehand, and its end: small layers on a
 // large picture cost little.
 void begin_layer_over(Canvas& canvas, const Box& ink);
-void draw_layer(Canvas& canvas, double opacity);
+void draw_layer(Canvas& canvas, double opacity, BlendMode mode = BlendMode::kNormal);
 
 }  // namespace libstyle

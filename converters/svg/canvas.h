@@ -9,6 +9,7 @@
 
 #include "converters/svg/computed_style.h"
 #include "converters/svg/element_kind.h"
+#include "converters/svg/paint_context.h"
 #include "converters/svg/view_box.h"
 #include "libstyle/geometry/path.h"
 
@@ -17,6 +18,7 @@ namespace libstyle::svg {
 // Where an element is drawn.
 struct Scope {
   ComputedStyle style;  // of the element itself
+  PaintContext paint_context;
   Transform page_from_user;
   Vector viewport;    // size of the nearest viewport, in its own units
   std::string group;  // id of the record that members are in

@@ -8,6 +8,7 @@
 
 #include "converters/svg/scanner.h"
 #include "libstyle/base/error.h"
+#include "libstyle/curves/json_text.h"
 #include "libstyle/curves/reader.h"
 #include "libstyle/curves/writer.h"
 #include "libstyle/geometry/path_data.h"
@@ -83,6 +84,33 @@ void append_extras(RecordBase& record, const RecordBase& carried) {
   record.extras.insert(record.extras.end(), carried.extras.begin(), carried.extras.end());
 }
 
+// The record around an object whose unknown keys are in `carried`: "{...}". The object begins and
+// ends with what the texts give.
+template <typename T>
+std::optional<T> read_around(std::string_view before, std::string_view carried,
+                             std::string_view after) {
+  carried = trimmed(carried);
+  if (!carried.starts_with('{') || !carried.ends_with('}')) return std::nullopt;
+  std::string text = "{\"curves\":1}\n";
+  text += before;
+  text += ',';
+  text += carried.substr(1, carried.size() - 2);
+  text += after;
+  std::optional<Document> document = read_document(text);
+  if (!document || document->records.size() != 1) return std::nullopt;
+  auto* record = std::get_if<T>(&document->records.front());
+  return record ? std::optional(std::move(*record)) : std::nullopt;
+}
+
+template <typename Geometry>
+bool restore_geometry_extras(std::string_view before, std::string_view carried,
+                             Geometry& geometry) {
+  auto around = read_around<GradientRecord>(before, carried, "},\"stops\":[]}\n");
+  auto* read = around ? std::get_if<Geometry>(&around->geometry) : nullptr;
+  if (read) geometry.extras = std::move(read->extras);
+  return read != nullptr;
+}
+
 template <typename T>
 bool restore_extras(std::string_view carried, std::string_view required, T& record) {
   const std::optional<Record> read = read_carried(carried, required);
@@ -92,6 +120,25 @@ bool restore_extras(std::string_view carried, std::string_view required, T& reco
 }
 
 }  // namespace
+
+std::string_view carried_id(std::string_view record_id, std::string_view xml_id) {
+  const bool is_nameless = given_id(record_id).empty() && xml_id.empty();
+  return record_id == xml_id || is_nameless ? std::string_view() : record_id;
+}
+
+// RecordIds makes "chair-2" of "chair~2", and "clip-1" of "~2".
+bool fits_carried_id(std::string_view carried, std::string_view xml_id) {
+  std::string_view rest = xml_id;
+  const std::string_view given = given_id(carried);
+  if (!given.empty()) {
+    if (!rest.starts_with(given)) return rest.empty();
+    rest.remove_prefix(given.size());
+    if (rest.empty()) return true;
+  } else {
+    rest.remove_prefix(std::min(rest.find('-'), rest.size()));
+  }
+  return rest.size() > 1 && rest.front() == '-' && std::ranges::all_of(rest.substr(1), is_digit);
+}
 
 bool is_data_attribute(const Extra& extra) {
   constexpr std::string_view kPrefix = "data-";
@@ -157,6 +204,45 @@ bool restore_carried_keys(std::string_view carried, GradientRecord& gradient) {
 
 bool restore_carried_keys(std::string_view carried, ClipRecord& clip) {
   return restore_extras(carried, kEmptyClip, clip);
+}
+
+std::string carried_extras(const std::vector<Extra>& extras) {
+  std::string text;
+  for (const Extra& extra : extras) {
+    text += text.empty() ? '{' : ',';
+    append_json_string(text, extra.key);
+    text += ':';
+    text += extra.json;
+  }
+  if (!text.empty()) text += '}';
+  return text;
+}
+
+bool restore_carried_extras(std::string_view carried, GradientStop& stop) {
+  auto around =
+      read_around<GradientRecord>(R"({"type":"gradient","linear":{"x1":0,"y1":0,"x2":0,"y2":0},)"
+                                  R"("stops":[{"offset":0,"stop-color":"#000000")",
+                                  carried, "}]}\n");
+  if (!around || around->stops.size() != 1) return false;
+  stop.extras = std::move(around->stops.front().extras);
+  return true;
+}
+
+bool restore_carried_extras(std::string_view carried, LinearGeometry& linear) {
+  return restore_geometry_extras(R"({"type":"gradient","linear":{"x1":0,"y1":0,"x2":0,"y2":0)",
+                                 carried, linear);
+}
+
+bool restore_carried_extras(std::string_view carried, RadialGeometry& radial) {
+  return restore_geometry_extras(R"({"type":"gradient","radial":{"cx":0,"cy":0,"r":0)", carried,
+                                 radial);
+}
+
+bool restore_carried_extras(std::string_view carried, ClipPart& part) {
+  auto around = read_around<ClipRecord>(R"({"type":"clip","parts":[{"d":"")", carried, "}]}\n");
+  if (!around || around->parts.size() != 1) return false;
+  part.extras = std::move(around->parts.front().extras);
+  return true;
 }
 
 std::optional<Document> restore_carried_records(std::string_view carried) {

@@ -18,7 +18,17 @@ namespace libstyle::svg {
 // The namespace of what we add to SVG, and the names in it.
 inline constexpr std::string_view kCurvesNamespace = "urn:libstyle:curves";
 inline constexpr const char* kCarriedKeys = "curves:keys";
+inline constexpr const char* kCarriedId = "curves:id";
+inline constexpr const char* kCarriedGeometry = "curves:geometry";  // of a gradient
 inline constexpr const char* kCarriedRecords = "curves:records";
+
+// The id of a record that has another one in XML, or none; empty when there is nothing to carry.
+// What a program called "~1" and nothing refers to needs no name.
+std::string_view carried_id(std::string_view record_id, std::string_view xml_id);
+
+// Whether a carried id still belongs to the XML id beside it. When somebody gave the element a new
+// one, that counts.
+bool fits_carried_id(std::string_view carried, std::string_view xml_id);
 
 // Whether a key becomes an attribute of its own: "data-" and a name, with a text as value.
 bool is_data_attribute(const Extra& extra);
@@ -42,6 +52,16 @@ std::optional<Record> restore_carried_keys(std::string_view carried, const Group
 // As above for gradients and clips: their unknown keys.
 bool restore_carried_keys(std::string_view carried, GradientRecord& gradient);
 bool restore_carried_keys(std::string_view carried, ClipRecord& clip);
+
+// The unknown keys of an object within a record, as the text of an attribute of the element that is
+// written for it; empty when there are none.
+std::string carried_extras(const std::vector<Extra>& extras);
+
+// Puts them back. Returns false, leaving the object alone, when the text is not that.
+bool restore_carried_extras(std::string_view carried, GradientStop& stop);
+bool restore_carried_extras(std::string_view carried, LinearGeometry& linear);
+bool restore_carried_extras(std::string_view carried, RadialGeometry& radial);
+bool restore_carried_extras(std::string_view carried, ClipPart& part);
 
 // Reads the lines of <metadata>: a header and records. Nothing when they are not that.
 std::optional<Document> restore_carried_records(std::string_view carried);

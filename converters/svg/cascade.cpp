@@ -9,12 +9,12 @@
 namespace libstyle::svg {
 namespace {
 
-// SVG 1.1, section 14.3.3: what opens a viewport within the drawing clips to it.
+// SVG 1.1, section 14.3.3: what opens a viewport within the drawing clips to it. Symbols do not, as
+// librsvg draws them.
 bool clips_by_default(pugi::xml_node element) {
   const std::string_view name = element.name();
   const bool outermost = element.parent().type() == pugi::node_document;
-  return (name == "svg" && !outermost) || name == "symbol" || name == "marker" ||
-         name == "pattern" || name == "image";
+  return (name == "svg" && !outermost) || name == "marker" || name == "pattern" || name == "image";
 }
 
 void apply_attributes(pugi::xml_node element, ComputedStyle& style, const ComputedStyle& parent) {
@@ -41,7 +41,6 @@ ComputedStyle cascade(pugi::xml_node element, const ComputedStyle& parent,
   std::vector<Declaration> declarations;
   if (!sheets.empty()) sheets.find_matching(element, declarations);
   const pugi::xml_attribute attribute = element.attribute("style");
-  std::string text;
   if (attribute) {
     const std::vector<Declaration> own = parse_declarations(attribute.value());
     declarations.insert(declarations.end(), own.begin(), own.end());

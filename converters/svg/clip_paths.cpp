@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/cascade.h"
 #include "libstyle/geometry/path_segments.h"
 
@@ -18,8 +19,13 @@ class ClipCanvas final : public Canvas {
  public:
   ClipCanvas(ClipPaths& clips, Reporter& reporter) : clips_(clips), reporter_(reporter) {}
 
+  // SVG 1.1, section 14.3.5: a clipPath holds shapes and texts, and `use` that refers to them
+  // directly; groups let nothing through. What has bounds is a part of a text.
   bool open_group(pugi::xml_node element, Scope& scope,
                   const std::optional<Rectangle>& /*viewport*/) override {
+    const bool is_use = std::string_view(element.name()) == "use" &&
+                        std::string_view(element.parent().name()) == "clipPath";
+    if (!is_use && !scope.bounds) return false;
     if (!scope.style.clip_path.empty()) {
       reporter_.warn(element, "clip-path of a group within a clipPath is not carried");
     }
@@ -36,6 +42,10 @@ class ClipCanvas final : public Canvas {
     part.path = std::move(path);
     part.path.transform(scope.page_from_user);
     part.rule = style.clip_rule;
+    const pugi::xml_attribute carried = element.attribute(kCarriedKeys);
+    if (carried && !restore_carried_extras(carried.value(), part)) {
+      reporter_.warn(element, std::string(kCarriedKeys) + " is wrong; left out");
+    }
     parts_.push_back(std::move(part));
   }
 
@@ -50,6 +60,8 @@ class ClipCanvas final : public Canvas {
 bool is_in_bounds_units(pugi::xml_node clip) {
   return std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox";
 }
+
+bool has_area(const Box& box) { return box.width() > 0 && box.height() > 0; }
 
 Transform user_from_bounds(const Box& bounds) {
   return {bounds.width(), 0, 0, bounds.height(), bounds.low.x, bounds.low.y};
@@ -66,6 +78,7 @@ std::string ClipPaths::find_or_add(pugi::xml_node element, const Scope& scope,
       last->second.viewport == scope.viewport) {
     return last->second.id;
   }
+  if (is_in_bounds_units(clip) && !has_area(bounds())) return "";  // SVG 1.1, section 7.11
   std::string id = add(clip, scope, bounds);
   if (!is_in_bounds_units(clip)) {
     last_uses_[clip.internal_object()] = {scope.page_from_user, scope.viewport, id};

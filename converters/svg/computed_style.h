@@ -10,6 +10,7 @@
 
 #include "converters/svg/css_color.h"
 #include "converters/svg/length.h"
+#include "converters/svg/paint_order.h"
 #include "libstyle/curves/style.h"
 #include "libstyle/geometry/transform.h"
 
@@ -17,16 +18,17 @@ namespace libstyle::svg {
 
 // A colour that may be that of the property `color`, or no paint at all.
 struct SolidPaint {
-  enum class Kind : std::uint8_t { kNone, kColor, kCurrentColor };
+  enum class Kind : std::uint8_t { kNone, kColor, kCurrentColor, kContextFill, kContextStroke };
 
   Kind kind = Kind::kNone;
   CssColor color;
 
   static SolidPaint of(CssColor color) { return {Kind::kColor, color}; }
-  // The colour meant, or nothing for no paint.
+  // The colour meant, or nothing for no paint. (What a context means is left to paint_context.h.)
   std::optional<CssColor> resolve(const CssColor& current_color) const {
-    if (kind == Kind::kNone) return std::nullopt;
-    return kind == Kind::kCurrentColor ? current_color : color;
+    if (kind == Kind::kColor) return color;
+    if (kind == Kind::kCurrentColor) return current_color;
+    return std::nullopt;
   }
 };
 
@@ -71,7 +73,8 @@ struct InheritedProperties : InheritedTextProperties {
   double miter_limit = 4;
   std::vector<Length> dash_array;
   Length dash_offset;
-  bool stroke_first = false;
+  PaintOrder paint_order;
+  bool crisp_edges = false;  // shape-rendering
   Visibility visibility = Visibility::kVisible;
   double font_size = 12;          // px; what programs for SVG take where nothing is said
   std::string_view marker_start;  // what url() holds; empty: none
@@ -86,7 +89,8 @@ struct OwnProperties {
   std::string_view clip_path;  // the value, when it is not "none"
   std::string_view mask;
   std::string_view filter;
-  std::string_view blend_mode;  // mix-blend-mode, when it is not "normal"
+  BlendMode blend_mode = BlendMode::kNormal;
+  bool isolated = false;
   bool non_scaling_stroke = false;
   std::string_view baseline_shift;
   std::string_view text_decoration;

@@ -258,7 +258,8 @@ bool take_arguments(Scanner& scanner, bool begins_with_hue, Arguments& arguments
     arguments.alpha = std::clamp(alpha.value, 0.0, 1.0);
     scanner.skip_spaces();
   }
-  return scanner.take(')') && scanner.at_end();
+  scanner.take(')');  // CSS closes what is left open
+  return scanner.at_end();
 }
 
 std::optional<CssColor> make_rgb(const Arguments& arguments) {
@@ -299,7 +300,7 @@ std::optional<CssColor> parse_function(std::string_view text) {
 std::optional<CssColor> parse_css_color(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('#')) return parse_hex(text.substr(1));
-  if (text.ends_with(')')) return parse_function(text);
+  if (text.find('(') != text.npos) return parse_function(text);
   return parse_name(text);
 }
 

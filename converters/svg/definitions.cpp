@@ -31,12 +31,18 @@ void write_geometry(XmlWriter& xml, const RadialGeometry& radial) {
   if (radial.focus_radius != 0) xml.attribute("fr", radial.focus_radius);
 }
 
+void write_extras(XmlWriter& xml, const char* attribute, const std::vector<Extra>& extras) {
+  const std::string carried = carried_extras(extras);
+  if (!carried.empty()) xml.attribute(attribute, carried);
+}
+
 void write_stop(XmlWriter& xml, const GradientStop& stop) {
   xml.begin("stop");
   xml.attribute("offset", stop.offset);
   xml.attribute("stop-color", to_text({stop.color.red, stop.color.green, stop.color.blue}));
   const double opacity = stop.opacity * (stop.color.alpha / 255.0);
   if (opacity != 1) xml.attribute("stop-opacity", opacity);
+  write_extras(xml, kCarriedKeys, stop.extras);
   xml.end();
 }
 
@@ -52,7 +58,7 @@ void write_gradient(XmlWriter& xml, const GradientRecord& gradient, std::string_
                     const Transform& user_from_page) {
   const bool linear = std::holds_alternative<LinearGeometry>(gradient.geometry);
   xml.begin(linear ? "linearGradient" : "radialGradient");
-  if (!id.empty()) xml.attribute("id", id);
+  write_id(xml, gradient, id);
   write_notes(xml, gradient);
   xml.attribute("gradientUnits", "userSpaceOnUse");
   std::visit([&](const auto& geometry) { write_geometry(xml, geometry); }, gradient.geometry);
@@ -64,13 +70,15 @@ void write_gradient(XmlWriter& xml, const GradientRecord& gradient, std::string_
     xml.attribute("spreadMethod", kSpreads[static_cast<std::size_t>(gradient.spread)]);
   }
   write_carried(xml, gradient);
+  std::visit([&](const auto& known) { write_extras(xml, kCarriedGeometry, known.extras); },
+             gradient.geometry);
   for (const GradientStop& stop : gradient.stops) write_stop(xml, stop);
   xml.end();
 }
 
 void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, const RecordIds& ids) {
   xml.begin("clipPath");
-  if (!id.empty()) xml.attribute("id", id);
+  write_id(xml, clip, id);
   write_notes(xml, clip);
   write_clip_reference(xml, clip.clip, ids);
   write_carried(xml, clip);
@@ -78,6 +86,7 @@ void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, con
     xml.begin("path");
     if (part.rule == FillRule::kEvenOdd) xml.attribute("clip-rule", "evenodd");
     write_clip_reference(xml, part.clip, ids);
+    write_extras(xml, kCarriedKeys, part.extras);
     xml.attribute("d", to_path_data(part.path));
     xml.end();
   }
@@ -87,6 +96,12 @@ void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, con
 void write_clip_reference(XmlWriter& xml, std::string_view clip, const RecordIds& ids) {
   const std::string& id = ids.find(clip);
   if (!id.empty()) xml.attribute("clip-path", "url(#" + id + ")");
+}
+
+void write_id(XmlWriter& xml, const RecordBase& record, std::string_view id) {
+  if (!id.empty()) xml.attribute("id", id);
+  const std::string_view carried = carried_id(record.id, id);
+  if (!carried.empty()) xml.attribute(kCarriedId, carried);
 }
 
 void write_notes(XmlWriter& xml, const RecordBase& record) {

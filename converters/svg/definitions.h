@@ -20,6 +20,9 @@ void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, con
 // clip-path="url(#...)", or nothing when there is no such clip.
 void write_clip_reference(XmlWriter& xml, std::string_view clip, const RecordIds& ids);
 
+// id, and that of the record where it is another one.
+void write_id(XmlWriter& xml, const RecordBase& record, std::string_view id);
+
 // class, inkscape:label and the data-* attributes.
 void write_notes(XmlWriter& xml, const RecordBase& record);
 

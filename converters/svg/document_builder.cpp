@@ -17,7 +17,8 @@ namespace {
 // Whether the group says anything of its own.
 bool carries_something(const GroupRecord& group, std::string_view wanted_id) {
   return !wanted_id.empty() || !group.classes.empty() || !group.label.empty() ||
-         !group.extras.empty() || group.layer || group.opacity != 1 || !group.clip.empty() ||
+         !group.extras.empty() || group.layer || group.opacity != 1 ||
+         group.blend_mode != BlendMode::kNormal || group.isolated || !group.clip.empty() ||
          group.hidden;
 }
 
@@ -37,9 +38,19 @@ std::string text_of(pugi::xml_attribute attribute) {
 std::string OutputIds::make(std::string_view wanted) {
   std::string base(wanted);
   std::ranges::replace(base, '~', '_');
-  const int number = ++counts_[base];
-  if (number == 1 && !base.empty()) return base;
-  return base + '~' + std::to_string(number);
+  for (;;) {
+    const int number = ++counts_[base];
+    std::string id = number == 1 && !base.empty() ? base : base + '~' + std::to_string(number);
+    if (keep(id)) return id;
+  }
+}
+
+// The id that an earlier document had, if the element still carries it; else a new one.
+std::string DocumentBuilder::make_id(pugi::xml_node element) {
+  const std::string wanted = text_of(element.attribute("id"));
+  std::string carried = text_of(element.attribute(kCarriedId));
+  if (!carried.empty() && fits_carried_id(carried, wanted) && ids_.keep(carried)) return carried;
+  return ids_.make(wanted);
 }
 
 void DocumentBuilder::add_carried_records(pugi::xml_node root) {
@@ -63,13 +74,15 @@ std::string DocumentBuilder::add_group(pugi::xml_node element, const GroupLook& 
   describe(group, element);
   group.layer = std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
   group.opacity = look.opacity;
+  group.blend_mode = look.blend_mode;
+  group.isolated = look.isolated;
   group.clip = look.clip;
   group.hidden = look.hidden;
   const std::string wanted = text_of(element.attribute("id"));
   const std::string_view carried = element.attribute(kCarriedKeys).value();
   if (!carries_something(group, wanted) && carried.empty()) return parent;
   group.parent = parent;
-  group.id = ids_.make(wanted);
+  group.id = make_id(element);
   std::string id = group.id;
   std::optional<Record> restored;
   if (!carried.empty()) {
@@ -82,8 +95,7 @@ std::string DocumentBuilder::add_group(pugi::xml_node element, const GroupLook& 
 
 void DocumentBuilder::add_path(pugi::xml_node element, PathRecord path, const std::string& parent) {
   describe(path, element);
-  const std::string wanted = text_of(element.attribute("id"));
-  if (!wanted.empty()) path.id = ids_.make(wanted);
+  if (element.attribute("id") || element.attribute(kCarriedId)) path.id = make_id(element);
   path.parent = parent;
   const std::string_view carried = element.attribute(kCarriedKeys).value();
   if (!carried.empty()) warn_unless(restore_carried_keys(carried, path), element);
@@ -92,9 +104,15 @@ void DocumentBuilder::add_path(pugi::xml_node element, PathRecord path, const st
 
 std::string DocumentBuilder::add_gradient(pugi::xml_node element, GradientRecord gradient) {
   describe(gradient, element);
-  gradient.id = ids_.make(text_of(element.attribute("id")));
+  gradient.id = make_id(element);
   const std::string_view carried = element.attribute(kCarriedKeys).value();
   if (!carried.empty()) warn_unless(restore_carried_keys(carried, gradient), element);
+  if (const pugi::xml_attribute geometry = element.attribute(kCarriedGeometry)) {
+    const auto restore = [&](auto& known) {
+      return restore_carried_extras(geometry.value(), known);
+    };
+    warn_unless(std::visit(restore, gradient.geometry), element);
+  }
   std::string id = gradient.id;
   document_.records.emplace_back(std::move(gradient));
   return id;
@@ -103,7 +121,7 @@ std::string DocumentBuilder::add_gradient(pugi::xml_node element, GradientRecord
 std::string DocumentBuilder::add_clip(pugi::xml_node element, std::vector<ClipPart> parts,
                                       const std::string& outer_clip) {
   ClipRecord clip;
-  clip.id = ids_.make(text_of(element.attribute("id")));
+  clip.id = make_id(element);
   if (element) clip.line = file_.place(element).line;
   clip.parts = std::move(parts);
   clip.clip = outer_clip;

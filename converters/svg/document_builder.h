@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "converters/svg/reporter.h"
@@ -19,14 +20,19 @@ namespace libstyle::svg {
 class OutputIds {
  public:
   std::string make(std::string_view wanted);
+  // Takes an id as it is; says no when it is taken.
+  bool keep(const std::string& id) { return taken_.insert(id).second; }
 
  private:
   std::map<std::string, int, std::less<>> counts_;
+  std::unordered_set<std::string> taken_;  // looked up, never walked through
 };
 
 // How a group as a whole is drawn.
 struct GroupLook {
   double opacity = 1;
+  BlendMode blend_mode = BlendMode::kNormal;
+  bool isolated = false;
   std::string clip;
   bool hidden = false;
 };
@@ -55,6 +61,7 @@ class DocumentBuilder {
                        const std::string& outer_clip);
 
  private:
+  std::string make_id(pugi::xml_node element);
   void describe(RecordBase& record, pugi::xml_node element) const;
   void warn_unless(bool restored, pugi::xml_node element);
 

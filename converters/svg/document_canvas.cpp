@@ -28,12 +28,15 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
   warn_not_carried(element, scope.style);
   GroupLook look;
   look.opacity = scope.style.opacity;
+  look.blend_mode = scope.style.blend_mode;
+  look.isolated = scope.style.isolated;
   look.hidden = scope.style.display == Display::kNone;
   look.clip = clips_.find_or_add(element, scope, [&] {
     return scope.bounds ? *scope.bounds : measure_members(drawing_, element, scope);
   });
   if (viewport) look.clip = add_viewport_clip(*viewport, look.clip, scope);
-  const bool plain = look.opacity == 1 && !look.hidden && look.clip.empty();
+  const bool plain = look.opacity == 1 && look.blend_mode == BlendMode::kNormal && !look.hidden &&
+                     look.clip.empty();
   if (!plain || !is_outermost(element)) {
     scope.group = builder_.add_group(element, look, scope.group);
   }
@@ -56,7 +59,7 @@ void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path pa
   record.clip =
       clips_.find_or_add(element, scope, [&] { return scope.bounds.value_or(bounding_box(path)); });
   const LengthContext context = length_context(scope.style, scope.viewport);
-  record.style = painter_.painted_style(element, scope.style,
+  record.style = painter_.painted_style(element, scope.style, scope.paint_context,
                                         {path, scope.bounds, scope.page_from_user, context});
   const bool marked = markers_.any(kind, scope.style);
   const Path user_path = marked ? path : Path();
@@ -64,20 +67,45 @@ void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path pa
   record.path.transform(scope.page_from_user);
   record.shape = shape_name(kind, element);
   settle_shape(record.shape, record.path);
-  if (!marked) return builder_.add_path(element, std::move(record), scope.group);
+  const std::string group = group_around(record, scope, marked);
+  if (!marked) return builder_.add_path(element, std::move(record), group);
   Scope around = scope;
-  around.group = group_with_markers(record, scope.group);
-  builder_.add_path(element, std::move(record), around.group);
-  markers_.draw(element, kind, user_path, around);
+  around.group = group;
+  const auto draw_markers = [&] { markers_.draw(element, kind, user_path, around); };
+  add_path_and_markers(element, std::move(record), around, draw_markers);
 }
 
-// Opacity and clip of a path are also those of its markers: a group takes them over.
-std::string DocumentCanvas::group_with_markers(PathRecord& path, const std::string& parent) {
-  if (path.style.opacity == 1 && path.clip.empty()) return parent;
+// A path that has its markers between fill and stroke becomes two.
+void DocumentCanvas::add_path_and_markers(pugi::xml_node element, PathRecord record,
+                                          const Scope& scope,
+                                          const std::function<void()>& draw_markers) {
+  const PaintOrder& order = scope.style.paint_order;
+  const bool after_fill = order.comes_before(PaintPart::kFill, PaintPart::kMarkers);
+  const bool after_stroke = order.comes_before(PaintPart::kStroke, PaintPart::kMarkers);
+  if (!after_fill && !after_stroke) draw_markers();
+  if (after_fill == after_stroke) {
+    builder_.add_path(element, std::move(record), scope.group);
+  } else {
+    PathRecord upper = record;
+    (after_fill ? record : upper).style.stroke.reset();
+    (after_fill ? upper : record).style.fill = NoPaint{};
+    builder_.add_path(element, std::move(record), scope.group);
+    draw_markers();
+    builder_.add_path(element, std::move(upper), scope.group);
+  }
+  if (after_fill && after_stroke) draw_markers();
+}
+
+// Opacity and clip of a path are also those of its markers: a group takes them over. Only groups
+// have blend modes.
+std::string DocumentCanvas::group_around(PathRecord& path, const Scope& scope, bool marked) {
   GroupLook look;
-  look.opacity = std::exchange(path.style.opacity, 1);
-  look.clip = std::exchange(path.clip, "");
-  return builder_.add_group({}, look, parent);
+  look.blend_mode = scope.style.blend_mode;
+  if (marked) {
+    look.opacity = std::exchange(path.style.opacity, 1);
+    look.clip = std::exchange(path.clip, "");
+  }
+  return builder_.add_group({}, look, scope.group);
 }
 
 void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyle& style) {
@@ -86,7 +114,6 @@ void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyl
   };
   warn(style.mask, "mask");
   warn(style.filter, "filter");
-  warn(style.blend_mode, "mix-blend-mode");
 }
 
 }  // namespace libstyle::svg

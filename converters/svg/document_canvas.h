@@ -2,6 +2,7 @@
 // Makes records of what is drawn, and brings it to the page.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <pugixml.hpp>
 
@@ -30,7 +31,9 @@ class DocumentCanvas final : public Canvas {
  private:
   std::string add_viewport_clip(const Rectangle& viewport, const std::string& outer_clip,
                                 const Scope& scope);
-  std::string group_with_markers(PathRecord& path, const std::string& parent);
+  void add_path_and_markers(pugi::xml_node element, PathRecord record, const Scope& scope,
+                            const std::function<void()>& draw_markers);
+  std::string group_around(PathRecord& path, const Scope& scope, bool marked);
   void warn_not_carried(pugi::xml_node element, const ComputedStyle& style);
 
   Drawing& drawing_;

@@ -54,18 +54,25 @@ Path ellipse(const ComputedStyle& style, const Resolver& px) {
                       x.value_or(y.value_or(0)), y.value_or(x.value_or(0)));
 }
 
+// The ends of a line are no properties: one that is wrong is an error, and the line is not drawn.
 Path line(pugi::xml_node element, const Resolver& px) {
+  bool wrong = false;
   const auto length = [&](const char* name) {
-    return parse_length(element.attribute(name).value()).value_or(Length{});
+    const pugi::xml_attribute attribute = element.attribute(name);
+    const std::optional<Length> given = attribute ? parse_length(attribute.value()) : Length{};
+    wrong = wrong || !given;
+    return given.value_or(Length{});
   };
-  return line_path({px.horizontal(length("x1")), px.vertical(length("y1"))},
-                   {px.horizontal(length("x2")), px.vertical(length("y2"))});
+  const Path path = line_path({px.horizontal(length("x1")), px.vertical(length("y1"))},
+                              {px.horizontal(length("x2")), px.vertical(length("y2"))});
+  return wrong ? Path() : path;
 }
 
 Path points(pugi::xml_node element, ElementKind kind, Reporter& reporter) {
   const PointList list = parse_points(element.attribute("points").value());
   if (!list.complete) {
-    reporter.warn(element, "its list of points has an error; it is drawn up to there");
+    reporter.warn(element, "its list of points has an error; it is left out");
+    return {};
   }
   return kind == ElementKind::kPolygon ? polygon_path(list.points) : polyline_path(list.points);
 }

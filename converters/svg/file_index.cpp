@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "converters/svg/css_text.h"
 #include "converters/svg/element_kind.h"
 #include "converters/svg/scanner.h"
 
@@ -35,6 +36,10 @@ void FileIndex::visit(pugi::xml_node element, const XmlFile& file, Reporter& rep
                       const WarningHandler& warn) {
   const std::string_view id = element.attribute("id").value();
   if (!id.empty()) elements_.try_emplace(id, element);
+  pugi::xml_attribute style = element.attribute("style");
+  if (std::string_view(style.value()).find("/*") != std::string_view::npos) {
+    style.set_value(without_comments(style.value()).c_str());
+  }
   const std::string_view name = element.name();
   if (name == "style") {
     add_sheet(element, file, warn);

@@ -15,8 +15,8 @@ namespace libstyle::svg {
 
 class FileIndex {
  public:
-  // `last_sheet` is CSS that comes after that of the file. Warns about scripts, animations and
-  // style sheets of other files.
+  // `last_sheet` is CSS that comes after that of the file. Takes comments out of style attributes.
+  // Warns about scripts, animations and style sheets of other files.
   FileIndex(const XmlFile& file, const std::string& last_sheet, std::size_t match_steps,
             Reporter& reporter, const WarningHandler& warn);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/cascade.h"
 #include "converters/svg/scanner.h"
 #include "converters/svg/transform_list.h"
@@ -64,11 +65,6 @@ std::optional<Spread> parse_spread(std::string_view text) {
   return std::nullopt;
 }
 
-std::optional<Length> parse_radius(std::string_view text) {
-  const std::optional<Length> length = parse_length(text);
-  return length && length->value >= 0 ? length : std::nullopt;
-}
-
 void read_geometry(const Chain& chain, GradientDefinition& definition) {
   const auto length = [&](const char* name, std::string_view kind) {
     return chain.find(name, parse_length, kind);
@@ -82,8 +78,8 @@ void read_geometry(const Chain& chain, GradientDefinition& definition) {
   definition.center_y = length("cy", kRadial).value_or(percent(50));
   definition.focus_x = length("fx", kRadial).value_or(definition.center_x);
   definition.focus_y = length("fy", kRadial).value_or(definition.center_y);
-  definition.radius = chain.find("r", parse_radius, kRadial).value_or(percent(50));
-  definition.focus_radius = chain.find("fr", parse_radius, kRadial).value_or(percent(0));
+  definition.radius = length("r", kRadial).value_or(percent(50));
+  definition.focus_radius = length("fr", kRadial).value_or(percent(0));
 }
 
 // Offsets never fall: each is at least the one before. A stop with a wrong offset is none.
@@ -101,6 +97,10 @@ std::vector<GradientStop> read_stops(pugi::xml_node gradient, const FileIndex& i
     const CssColor color = style.stop_color.resolve(style.color).value_or(CssColor{{}, 0});
     const double least = stops.empty() ? 0 : stops.back().offset;
     stops.push_back({std::max(*offset, least), color.color, style.stop_opacity * color.alpha});
+    const pugi::xml_attribute carried = element.attribute(kCarriedKeys);
+    if (carried && !restore_carried_extras(carried.value(), stops.back())) {
+      reporter.warn(element, std::string(kCarriedKeys) + " is wrong; left out");
+    }
   }
   return stops;
 }

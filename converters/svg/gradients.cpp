@@ -8,10 +8,36 @@
 namespace libstyle::svg {
 namespace {
 
-// Brings the unit square to a box; nothing for a box without area, which no gradient can fill.
-std::optional<Transform> box_transform(const Box& box) {
-  if (!(box.width() > 0 && box.height() > 0)) return std::nullopt;
-  return Transform{box.width(), 0, 0, box.height(), box.low.x, box.low.y};
+bool keeps_axes(const Transform& map) {
+  return (map.b == 0 && map.c == 0) || (map.a == 0 && map.d == 0);
+}
+
+Box box_of(const PaintedShape& shape) {
+  return shape.bounds ? *shape.bounds : bounding_box(shape.path);
+}
+
+// The box of a shape in its user space. Of one that is turned or skewed it is the box around that
+// on the page, brought back, and so too large: librsvg measures shapes so, and gradients show it.
+// (Parts of a text have the box of the text.)
+std::optional<Box> measured_box(const PaintedShape& shape) {
+  if (shape.bounds || keeps_axes(shape.page_from_user)) return box_of(shape);
+  const std::optional<Transform> user_from_page = inverse(shape.page_from_user);
+  if (!user_from_page) return std::nullopt;
+  Path on_page = shape.path;
+  on_page.transform(shape.page_from_user);
+  const Box page_box = bounding_box(on_page);
+  Box box;
+  for (const double x : {page_box.low.x, page_box.high.x}) {
+    for (const double y : {page_box.low.y, page_box.high.y}) {
+      box.include((*user_from_page)(Point{x, y}));
+    }
+  }
+  return box;
+}
+
+// Brings the unit square to a box.
+Transform box_transform(const Box& box) {
+  return {box.width(), 0, 0, box.height(), box.low.x, box.low.y};
 }
 
 // Lengths in user space, or as shares of the box.
@@ -24,7 +50,10 @@ class Resolver {
     return {resolve(x, LengthAxis::kHorizontal, context_),
             resolve(y, LengthAxis::kVertical, context_)};
   }
-  double radius(Length length) const { return resolve(length, LengthAxis::kDiagonal, context_); }
+  // A negative radius is an error that librsvg draws as if it had no sign.
+  double radius(Length length) const {
+    return std::abs(resolve(length, LengthAxis::kDiagonal, context_));
+  }
 
  private:
   LengthContext context_;
@@ -71,10 +100,11 @@ std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape
   if (!definition) return std::nullopt;
   Transform page_from_units = shape.page_from_user;
   if (definition->in_bounding_box) {
-    const std::optional<Transform> user_from_box =
-        box_transform(shape.bounds ? *shape.bounds : bounding_box(shape.path));
-    if (!user_from_box) return std::nullopt;
-    page_from_units = page_from_units * *user_from_box;
+    const Box own = box_of(shape);
+    if (!(own.width() > 0 && own.height() > 0)) return std::nullopt;
+    const std::optional<Box> box = measured_box(shape);
+    if (!box) return std::nullopt;
+    page_from_units = page_from_units * box_transform(*box);
   }
   GradientRecord record;
   record.page_from_gradient = page_from_units * definition->transform;

@@ -17,11 +17,12 @@ struct MarkerVertex {
   Vector direction;  // of length 1: along the path, or halfway between arriving and leaving
 };
 
-// The first vertex of the whole path is its start and the last its end, all others are between; Z
-// is a vertex too. A subpath of M alone has none. A segment of length 0 takes the direction of the
-// next that has one, else of the last before, else that of the x axis. The start of a closed
-// subpath looks along its first segment, its end halfway between that and the closing line, as
-// other programs have it.
+// As librsvg counts them, which differs from SVG 1.1 where a path has several subpaths. Each
+// segment is a vertex at its start, the closing line even where it has no length; the first is the
+// start of the path, and so is the first after a lone M, which is a vertex between that looks along
+// the x axis. The end of the last segment is the end of the path; the ends of other subpaths are no
+// vertices. Segments without length have no direction; vertices look halfway between the last
+// direction before them and the next after them.
 std::vector<MarkerVertex> marker_vertices(const Path& path);
 
 }  // namespace libstyle::svg

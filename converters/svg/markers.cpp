@@ -15,44 +15,84 @@
 namespace libstyle::svg {
 namespace {
 
-// What a marker element says of its own space.
+// What the attributes of a marker say. As librsvg has it, one that is wrong ends their reading; the
+// rest keep their initial values, and the marker is drawn.
+struct MarkerAttributes {
+  Length width = {3}, height = {3};
+  Length reference_x, reference_y;
+  std::optional<Rectangle> view_box;
+  AspectRatio ratio;
+  bool scaled_by_stroke = true;
+  std::string_view orient;
+};
+
+template <typename Target, typename Value>
+bool assign(Target& target, const std::optional<Value>& value) {
+  if (value) target = *value;
+  return value.has_value();
+}
+
+bool assign_size(Length& target, const std::optional<Length>& size) {
+  return assign(target, size) && size->value >= 0;
+}
+
+bool read_units(std::string_view text, bool& scaled_by_stroke) {
+  scaled_by_stroke = text == "strokeWidth";
+  return scaled_by_stroke || text == "userSpaceOnUse";
+}
+
+bool read_attribute(std::string_view name, std::string_view value, MarkerAttributes& marker) {
+  if (name == "markerWidth") return assign_size(marker.width, parse_length(value));
+  if (name == "markerHeight") return assign_size(marker.height, parse_length(value));
+  if (name == "refX") return assign(marker.reference_x, parse_length(value));
+  if (name == "refY") return assign(marker.reference_y, parse_length(value));
+  if (name == "viewBox") return assign(marker.view_box, parse_view_box(value));
+  if (name == "preserveAspectRatio") return assign(marker.ratio, parse_aspect_ratio(value));
+  if (name == "markerUnits") return read_units(value, marker.scaled_by_stroke);
+  if (name == "orient") marker.orient = trimmed(value);
+  return true;
+}
+
+MarkerAttributes read_attributes(pugi::xml_node marker) {
+  MarkerAttributes result;
+  for (const pugi::xml_attribute attribute : marker.attributes()) {
+    MarkerAttributes next = result;
+    if (!read_attribute(attribute.name(), attribute.value(), next)) break;
+    result = next;
+  }
+  return result;
+}
+
+// The space of a marker.
 struct MarkerSpace {
   Rectangle inside;  // its viewport, or viewBox, in the units inside
   Transform viewport_from_inside;
   Point reference;  // what is put on the vertex, in the viewport
 };
 
-double length(pugi::xml_node marker, const char* name, LengthAxis axis, double fallback,
-              const LengthContext& context) {
-  const std::optional<Length> value = parse_length(marker.attribute(name).value());
-  return value ? resolve(*value, axis, context) : fallback;
-}
-
 // Nothing where nothing would be seen: a size of 0.
-std::optional<MarkerSpace> read_space(pugi::xml_node marker, const ComputedStyle& style,
+std::optional<MarkerSpace> make_space(const MarkerAttributes& marker, const ComputedStyle& style,
                                       const Vector& viewport) {
   const LengthContext outside = length_context(style, viewport);
   MarkerSpace space;
-  space.inside.width = length(marker, "markerWidth", LengthAxis::kHorizontal, 3, outside);
-  space.inside.height = length(marker, "markerHeight", LengthAxis::kVertical, 3, outside);
+  space.inside.width = resolve(marker.width, LengthAxis::kHorizontal, outside);
+  space.inside.height = resolve(marker.height, LengthAxis::kVertical, outside);
   if (!(space.inside.width > 0 && space.inside.height > 0)) return std::nullopt;
-  if (const auto view_box = parse_view_box(marker.attribute("viewBox").value())) {
-    const auto ratio = parse_aspect_ratio(marker.attribute("preserveAspectRatio").value());
-    const auto map = viewport_from_view_box(space.inside, *view_box, ratio.value_or(AspectRatio{}));
+  if (marker.view_box) {
+    const auto map = viewport_from_view_box(space.inside, *marker.view_box, marker.ratio);
     if (!map) return std::nullopt;
     space.viewport_from_inside = *map;
-    space.inside = *view_box;
+    space.inside = *marker.view_box;
   }
   const LengthContext inside = length_context(style, {space.inside.width, space.inside.height});
   space.reference =
-      space.viewport_from_inside({length(marker, "refX", LengthAxis::kHorizontal, 0, inside),
-                                  length(marker, "refY", LengthAxis::kVertical, 0, inside)});
+      space.viewport_from_inside({resolve(marker.reference_x, LengthAxis::kHorizontal, inside),
+                                  resolve(marker.reference_y, LengthAxis::kVertical, inside)});
   return space;
 }
 
 // The direction that the marker's x axis gets.
-Vector orientation(pugi::xml_node marker, const MarkerVertex& vertex) {
-  const std::string_view text = trimmed(marker.attribute("orient").value());
+Vector orientation(std::string_view text, const MarkerVertex& vertex) {
   if (text == "auto") return vertex.direction;
   if (text == "auto-start-reverse") {
     return vertex.place == MarkerPlace::kStart ? -vertex.direction : vertex.direction;
@@ -65,8 +105,8 @@ Vector orientation(pugi::xml_node marker, const MarkerVertex& vertex) {
   return scanner.at_end() && degrees ? unit_vector_at(angle * *degrees) : Vector{1, 0};
 }
 
-double marker_scale(pugi::xml_node marker, const Scope& scope) {
-  if (std::string_view(marker.attribute("markerUnits").value()) == "userSpaceOnUse") return 1;
+double marker_scale(const MarkerAttributes& marker, const Scope& scope) {
+  if (!marker.scaled_by_stroke) return 1;
   return resolve(scope.style.stroke_width, LengthAxis::kDiagonal,
                  length_context(scope.style, scope.viewport));
 }
@@ -104,9 +144,10 @@ pugi::xml_node Markers::marker_for(MarkerPlace place, const ComputedStyle& style
 void Markers::draw_one(pugi::xml_node marker, const MarkerVertex& vertex, const Scope& scope) {
   Scope inside;
   inside.style = style_in_place(marker, drawing_.index.sheets());
-  const std::optional<MarkerSpace> space = read_space(marker, inside.style, scope.viewport);
+  const MarkerAttributes attributes = read_attributes(marker);
+  const std::optional<MarkerSpace> space = make_space(attributes, inside.style, scope.viewport);
   if (!space) return;
-  const Vector x = marker_scale(marker, scope) * orientation(marker, vertex);
+  const Vector x = marker_scale(attributes, scope) * orientation(attributes.orient, vertex);
   const Transform user_from_marker = {x.x, x.y, -x.y, x.x, vertex.position.x, vertex.position.y};
   inside.page_from_user = scope.page_from_user * user_from_marker *
                           Transform::translation(-space->reference) * space->viewport_from_inside;
@@ -115,6 +156,7 @@ void Markers::draw_one(pugi::xml_node marker, const MarkerVertex& vertex, const 
   const bool hidden =
       scope.style.display == Display::kNone || scope.style.visibility == Visibility::kHidden;
   inside.style.display = hidden ? Display::kNone : Display::kInline;  // its own has no say
+  inside.paint_context = paints_of(scope.style, scope.paint_context);
   inside.viewport = {space->inside.width, space->inside.height};
   inside.group = scope.group;
   inside.depth = scope.depth + 1;

@@ -48,18 +48,18 @@ void set_size(Page& page, const ComputedStyle& style, const std::optional<Rectan
 
 Page read_page(pugi::xml_node root, const ComputedStyle& style) {
   Page page;
-  const std::optional<Rectangle> view_box = parse_view_box(root.attribute("viewBox").value());
+  const std::optional<View> view = read_view(root);
+  const std::optional<Rectangle> view_box = view ? view->view_box : std::nullopt;
   set_size(page, style, view_box);
   if (page.width) page.width_text = paper_size(root.attribute("width").value());
   if (page.height) page.height_text = paper_size(root.attribute("height").value());
 
   page.viewport = page.width ? Vector{*page.width, *page.height} : kUnknownViewport;
+  if (!view) return page;
   page.page_from_user = Transform{};
   if (view_box && page.width) {
-    const AspectRatio ratio =
-        parse_aspect_ratio(root.attribute("preserveAspectRatio").value()).value_or(AspectRatio{});
     page.page_from_user =
-        viewport_from_view_box({0, 0, *page.width, *page.height}, *view_box, ratio);
+        viewport_from_view_box({0, 0, *page.width, *page.height}, *view_box, view->ratio);
     page.viewport = {view_box->width, view_box->height};
   }
   return page;

@@ -9,19 +9,22 @@ namespace libstyle::svg {
 
 // The fill is always said: a path that says nothing about its paint is a bare curve.
 Style Painter::painted_style(pugi::xml_node element, const ComputedStyle& computed,
-                             const PaintedShape& shape) {
+                             const PaintContext& context, const PaintedShape& shape) {
+  const auto [fill, stroke] = paints_of(computed, context);
   Style style;
-  style.fill_opacity = computed.fill_opacity;
-  style.fill = resolve_paint(element, computed.fill, computed, shape, style.fill_opacity);
+  style.fill_opacity = fill.opacity;
+  style.fill = resolve_paint(element, fill.paint, computed, shape, style.fill_opacity);
   if (!style.fill) style.fill = NoPaint{};
   style.fill_rule = computed.fill_rule;
-  style.stroke_opacity = computed.stroke_opacity;
-  style.stroke = resolve_paint(element, computed.stroke, computed, shape, style.stroke_opacity);
-  style.stroke_first = style.stroke && computed.stroke_first;
+  style.stroke_opacity = stroke.opacity;
+  style.stroke = resolve_paint(element, stroke.paint, computed, shape, style.stroke_opacity);
+  style.stroke_first =
+      style.stroke && computed.paint_order.comes_before(PaintPart::kStroke, PaintPart::kFill);
   if (style.stroke && !set_stroke_geometry(style, computed, shape.context, shape.page_from_user)) {
     reporter_.warn(element, "has a stroke that is too large; it is left out");
     style.stroke.reset();
   }
+  style.crisp_edges = computed.crisp_edges;
   style.opacity = computed.opacity;
   style.hidden = computed.display == Display::kNone || computed.visibility == Visibility::kHidden ||
                  shape.page_from_user.determinant() == 0;

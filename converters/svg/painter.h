@@ -8,6 +8,7 @@
 #include "converters/svg/document_builder.h"
 #include "converters/svg/file_index.h"
 #include "converters/svg/gradients.h"
+#include "converters/svg/paint_context.h"
 #include "converters/svg/reporter.h"
 #include "libstyle/curves/style.h"
 
@@ -20,7 +21,7 @@ class Painter {
 
   // Adds the records of the gradients that the style refers to.
   Style painted_style(pugi::xml_node element, const ComputedStyle& computed,
-                      const PaintedShape& shape);
+                      const PaintContext& context, const PaintedShape& shape);
 
  private:
   std::optional<Paint> resolve_paint(pugi::xml_node element, const SpecifiedPaint& specified,

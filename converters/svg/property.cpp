@@ -30,11 +30,24 @@ std::optional<SolidPaint> parse_solid(Text text) {
   return SolidPaint::of(*color);
 }
 
+std::optional<SolidPaint> parse_stop_color(Text text) {
+  return equal_ignoring_case(text, "none") ? std::nullopt : parse_solid(text);
+}
+
 std::optional<SpecifiedPaint> parse_paint(Text text) {
   SpecifiedPaint paint;
+  if (equal_ignoring_case(text, "context-fill")) {
+    paint.solid.kind = SolidPaint::Kind::kContextFill;
+    return paint;
+  }
+  if (equal_ignoring_case(text, "context-stroke")) {
+    paint.solid.kind = SolidPaint::Kind::kContextStroke;
+    return paint;
+  }
   Text rest;
   paint.reference = take_url(text, rest);
   rest = trimmed(rest);
+  if (!paint.reference.empty() && paint.reference.find('#') == Text::npos) return std::nullopt;
   if (!paint.reference.empty() && rest.empty()) return paint;
   const std::optional<SolidPaint> solid = parse_solid(rest);
   if (!solid) return std::nullopt;
@@ -54,23 +67,6 @@ std::optional<std::vector<Length>> parse_dash_array(Text text) {
     return std::nullopt;
   }
   return dashes;
-}
-
-// Whether stroke comes before fill. What is left out comes last, in the usual order.
-std::optional<bool> parse_paint_order(Text text) {
-  bool stroke_first = false;
-  bool decided = false;
-  Scanner scanner(text);
-  for (scanner.skip_spaces(); !scanner.at_end(); scanner.skip_spaces()) {
-    const Text word = scanner.take_word();
-    if (word == "stroke" && !decided) stroke_first = true;
-    if (word == "stroke" || word == "fill") {
-      decided = true;
-    } else if (word != "markers" && word != "normal") {
-      return std::nullopt;
-    }
-  }
-  return stroke_first;
 }
 
 std::optional<double> parse_miter_limit(Text text) {
@@ -238,6 +234,25 @@ std::optional<Text> parse_text_orientation(Text text) {
   return find_word(text, {"mixed", "upright", "sideways"});
 }
 
+std::optional<BlendMode> parse_blend_mode(Text text) {
+  const auto is_named = [text](Text name) { return equal_ignoring_case(text, name); };
+  const auto* const found = std::ranges::find_if(kBlendModeNames, is_named);
+  if (found == kBlendModeNames.end()) return std::nullopt;
+  return static_cast<BlendMode>(found - kBlendModeNames.begin());
+}
+
+// Whether edges are crisp, rather than smoothed.
+std::optional<bool> parse_shape_rendering(Text text) {
+  return find_keyword<bool>(text, {{"auto", false},
+                                   {"geometricPrecision", false},
+                                   {"optimizeSpeed", true},
+                                   {"crispEdges", true}});
+}
+
+std::optional<bool> parse_isolation(Text text) {
+  return find_keyword<bool>(text, {{"auto", false}, {"isolate", true}});
+}
+
 std::optional<bool> parse_vector_effect(Text text) {
   return find_keyword<bool>(text, {{"none", false}, {"non-scaling-stroke", true}});
 }
@@ -285,20 +300,22 @@ constexpr Property kProperties[] = {
     property<&Style::font_variant, parse_font_variant>("font-variant"),
     {"font-weight", set_font_weight, copy<&Style::font_weight>},
     automatic_size<&Style::height>("height"),
+    property<&Style::isolated, parse_isolation>("isolation"),
     property<&Style::letter_spacing, parse_letter_spacing>("letter-spacing"),
     {"marker", set_marker, copy_marker},
     url_property<&Style::marker_end>("marker-end"),
     url_property<&Style::marker_mid>("marker-mid"),
     url_property<&Style::marker_start>("marker-start"),
     text_property<&Style::mask>("mask"),
-    text_property<&Style::blend_mode>("mix-blend-mode"),
+    property<&Style::blend_mode, parse_blend_mode>("mix-blend-mode"),
     property<&Style::opacity, parse_opacity>("opacity"),
     property<&Style::overflow, parse_overflow>("overflow"),
-    property<&Style::stroke_first, parse_paint_order>("paint-order"),
+    property<&Style::paint_order, parse_paint_order>("paint-order"),
     property<&Style::radius, parse_size>("r"),
     automatic_size<&Style::radius_x>("rx"),
     automatic_size<&Style::radius_y>("ry"),
-    property<&Style::stop_color, parse_solid>("stop-color"),
+    property<&Style::crisp_edges, parse_shape_rendering>("shape-rendering"),
+    property<&Style::stop_color, parse_stop_color>("stop-color"),
     property<&Style::stop_opacity, parse_opacity>("stop-opacity"),
     property<&Style::stroke, parse_paint>("stroke"),
     property<&Style::dash_array, parse_dash_array>("stroke-dasharray"),
@@ -307,7 +324,7 @@ constexpr Property kProperties[] = {
     property<&Style::line_join, parse_line_join>("stroke-linejoin"),
     property<&Style::miter_limit, parse_miter_limit>("stroke-miterlimit"),
     property<&Style::stroke_opacity, parse_opacity>("stroke-opacity"),
-    property<&Style::stroke_width, parse_size>("stroke-width"),
+    property<&Style::stroke_width, parse_length>("stroke-width"),
     property<&Style::text_anchor, parse_text_anchor>("text-anchor"),
     property<&Style::text_decoration, parse_words>("text-decoration"),
     property<&Style::text_orientation, parse_text_orientation>("text-orientation"),
@@ -348,10 +365,9 @@ bool apply(const Property& property, std::string_view value, ComputedStyle& styl
 std::string_view take_url(std::string_view text, std::string_view& rest) {
   rest = text;
   if (text.size() < 4 || !equal_ignoring_case(text.substr(0, 4), "url(")) return {};
-  const std::size_t end = text.find(')');
-  if (end == text.npos) return {};
+  const std::size_t end = std::min(text.find(')'), text.size());  // CSS closes what is left open
   std::string_view url = trimmed(text.substr(4, end - 4));
-  rest = text.substr(end + 1);
+  rest = text.substr(std::min(end + 1, text.size()));
   if (url.size() >= 2 && (url[0] == '"' || url[0] == '\'') && url.back() == url[0]) {
     url = trimmed(url.substr(1, url.size() - 2));
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "converters/svg/scanner.h"
+
 namespace libstyle::svg {
 namespace {
 
@@ -100,9 +102,21 @@ void RecordIds::assign_made(const Document& document) {
       ids_[i] = wanted;
     } else if (is_referred_to_by_url(record) || in_metadata.contains(base->id) ||
                (is_container(record) && !wanted.empty())) {
-      ids_[i] = make_unique(wanted.empty() ? std::string(type_of(record)) : wanted);
+      ids_[i] = make_numbered(record, *base, wanted);
     }
   }
+}
+
+// "chair~2" is "chair-2", if that is free.
+std::string RecordIds::make_numbered(const Record& record, const RecordBase& base,
+                                     const std::string& wanted) {
+  if (wanted.empty()) return make_unique(std::string(type_of(record)));
+  const std::string_view number = std::string_view(base.id).substr(given_id(base.id).size());
+  if (number.size() > 1 && std::ranges::all_of(number.substr(1), is_digit)) {
+    std::string id = wanted + '-' + std::string(number.substr(1));
+    if (taken_.insert(id).second) return id;
+  }
+  return make_unique(wanted);
 }
 
 std::string RecordIds::make_unique(const std::string& stem) {

@@ -4,7 +4,7 @@
 // An id that somebody gave stays. An id that a program made (document.h, given_id) loses its "~"
 // and what follows; what is left goes to the first record that asks for it. Other records then do
 // without, but for those that something refers to, in the document or by being in them: these get a
-// number, "g-2", behind the given part or their type.
+// number behind the given part or their type: "g-2" for "g~2", "clip-1" for "~7".
 #pragma once
 
 #include <cstddef>
@@ -40,6 +40,8 @@ class RecordIds {
  private:
   void assign_given(const Document& document);
   void assign_made(const Document& document);
+  std::string make_numbered(const Record& record, const RecordBase& base,
+                            const std::string& wanted);
 
   std::vector<std::string> ids_;
   std::map<std::string_view, std::size_t> places_;  // of the first record with an id

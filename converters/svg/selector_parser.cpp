@@ -66,6 +66,7 @@ class SelectorParser {
 
   bool parse_compound(CompoundSelector& compound, Specificity& specificity) {
     const std::size_t begin = scanner_.position();
+    take_any_namespace();
     if (!scanner_.take('*')) {
       compound.type = take_identifier(scanner_);
       if (!compound.type.empty()) ++specificity.types;
@@ -88,6 +89,12 @@ class SelectorParser {
         return scanner_.position() > begin;
       }
     }
+  }
+
+  // "*|": everything that is read here is in the namespace of SVG.
+  void take_any_namespace() {
+    const Scanner before = scanner_;
+    if (!scanner_.take('*') || !scanner_.take('|')) scanner_ = before;
   }
 
   bool take_name(std::vector<std::string>& names) {

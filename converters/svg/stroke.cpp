@@ -59,7 +59,8 @@ bool set_stroke_geometry(Style& style, const ComputedStyle& computed, const Leng
       pen.stroke_transform->e = pen.stroke_transform->f = 0;
     }
   }
-  pen.stroke_width = scale * resolve(computed.stroke_width, LengthAxis::kDiagonal, context);
+  const double width = resolve(computed.stroke_width, LengthAxis::kDiagonal, context);
+  pen.stroke_width = scale * std::max(0.0, width);  // a negative width draws nothing
   pen.line_cap = computed.line_cap;
   pen.line_join = computed.line_join;
   pen.miter_limit = computed.miter_limit;

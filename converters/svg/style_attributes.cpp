@@ -97,6 +97,7 @@ void write_style(XmlWriter& xml, const PathRecord& path, const GradientIds& grad
   if (style.fill_rule == FillRule::kEvenOdd) xml.attribute("fill-rule", "evenodd");
   write_stroke(xml, style, gradient_ids);
   if (style.stroke_first) xml.attribute("paint-order", "stroke");
+  if (style.crisp_edges) xml.attribute("shape-rendering", "crispEdges");
   write_unless(xml, "opacity", style.opacity, 1);
   if (style.hidden) xml.attribute("visibility", "hidden");
 }

@@ -69,7 +69,7 @@ void StyleSheets::add(std::string_view text, const Place& place, const WarningHa
   texts_.push_back(without_comments(text));
   std::string_view rest = without_html_comments(texts_.back());
   while (!rest.empty()) {
-    const std::size_t open = find_outside(rest, "{;", 0);
+    const std::size_t open = find_outside(rest, rest.starts_with('@') ? "{;" : "{", 0);
     const std::string_view prelude = trimmed(rest.substr(0, open));
     const bool has_block = open < rest.size() && rest[open] == '{';
     const std::size_t close = has_block ? find_outside(rest, "}", open + 1) : open;

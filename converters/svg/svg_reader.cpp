@@ -8,6 +8,7 @@
 #include "converters/svg/file_index.h"
 #include "converters/svg/page.h"
 #include "converters/svg/reporter.h"
+#include "converters/svg/view_box.h"
 #include "converters/svg/walker.h"
 
 namespace libstyle::svg {
@@ -41,6 +42,10 @@ Document read_svg(std::string text, const std::string& name, const SvgReadOption
   const FileIndex index(file, options.style_sheet, options.limits.match_steps, reporter, warn);
   const ComputedStyle style = cascade(file.root(), {}, index.sheets());
   const Page page = read_page(file.root(), style);
+  if (!read_view(file.root())) {
+    reporter.warn(file.root(),
+                  "its viewBox or preserveAspectRatio is wrong; nothing is drawn, as in librsvg");
+  }
 
   Document document;
   set_page(document.header, page);

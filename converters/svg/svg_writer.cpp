@@ -85,7 +85,9 @@ class SvgWriter {
     header.width = header.height = std::nullopt;
     header.page_width = header.page_height = "";
     std::string records;
-    for (const Record& record : document_.records) append_carried_record(records, record);
+    for (const Record& record : document_.records) {
+      if (draws_nothing(record)) append_record(records, record);
+    }
     if (header == Header{} && records.empty()) return;
     std::string text;
     append_header(text, header);
@@ -97,30 +99,14 @@ class SvgWriter {
     xml_.end();
   }
 
-  // Records that draw nothing, with the ids that their curves have here.
-  void append_carried_record(std::string& text, const Record& record) const {
-    Record carried;
-    if (const auto* constraint = std::get_if<ConstraintRecord>(&record)) {
-      carried = with_id_of(*constraint, &ConstraintRecord::curve);
-    } else if (const auto* adjustment = std::get_if<AdjustmentRecord>(&record)) {
-      carried = with_id_of(*adjustment, &AdjustmentRecord::curve);
-    } else if (const auto* label = std::get_if<LabelRecord>(&record)) {
-      carried = with_id_of(*label, &LabelRecord::of);
-    } else if (const auto* seed = std::get_if<SeedRecord>(&record)) {
-      carried = with_id_of(*seed, &SeedRecord::curve);
-    } else if (const auto* unknown = std::get_if<UnknownRecord>(&record)) {
-      carried = *unknown;
-    } else {
-      return;
-    }
-    append_record(text, carried);
-  }
-
-  template <typename T>
-  T with_id_of(T record, std::string T::*reference) const {
-    const std::string& id = ids_.find(record.*reference);
-    if (!id.empty()) record.*reference = id;
-    return record;
+  // Records that draw nothing. They name their curves as the document does, and elements carry
+  // those names.
+  static bool draws_nothing(const Record& record) {
+    return std::holds_alternative<ConstraintRecord>(record) ||
+           std::holds_alternative<AdjustmentRecord>(record) ||
+           std::holds_alternative<LabelRecord>(record) ||
+           std::holds_alternative<SeedRecord>(record) ||
+           std::holds_alternative<UnknownRecord>(record);
   }
 
   void write_definitions() {
@@ -172,6 +158,7 @@ class SvgWriter {
       write_container(*group, place, again);
       if (group->layer) xml_.attribute("inkscape:groupmode", "layer");
       if (group->opacity != 1) xml_.attribute("opacity", group->opacity);
+      write_blending(*group);
       refer_to_clip(group->clip, *group);
       if (group->hidden) xml_.attribute("display", "none");
     } else {
@@ -179,13 +166,24 @@ class SvgWriter {
     }
   }
 
+  // These two are no presentation attributes.
+  void write_blending(const GroupRecord& group) {
+    std::string style;
+    if (group.blend_mode != BlendMode::kNormal) {
+      style += "mix-blend-mode:";
+      style += kBlendModeNames[static_cast<std::size_t>(group.blend_mode)];
+    }
+    if (group.isolated) style += style.empty() ? "isolation:isolate" : ";isolation:isolate";
+    if (!style.empty()) xml_.attribute("style", style);
+  }
+
   // An id can stand once, so only where the container is opened first.
   template <typename Container>
   void write_container(const Container& container, std::size_t place, bool again) {
     if (again) {
       warn_once(container, "its members do not stand together; written as several groups", "split");
-    } else if (!ids_.at(place).empty()) {
-      xml_.attribute("id", ids_.at(place));
+    } else {
+      write_id(xml_, container, ids_.at(place));
     }
     write_notes(xml_, container);
     const std::string carried = carried_keys(container);
@@ -197,11 +195,22 @@ class SvgWriter {
       warn_once(path, "SVG has no strokes that vary along the curve; drawn with their mean",
                 "along");
     }
-    if (path.style.stroke_transform && inverse(*path.style.stroke_transform)) {
-      write_transformed_path(path, id);
-    } else {
-      write_plain_path(path, id);
-    }
+    if (!path.style.stroke_transform) return write_plain_path(path, id);
+    const std::optional<Path> pen_path = in_pen_space(path);
+    if (pen_path) return write_transformed_path(path, *pen_path, id);
+    warn_once(path, "the space of its pen is too extreme for SVG; drawn with a round pen", "pen");
+    write_plain_path(path, id);
+  }
+
+  // The path in the space of its pen; nothing when that has no inverse or leads beyond all numbers.
+  static std::optional<Path> in_pen_space(const PathRecord& path) {
+    const std::optional<Transform> pen_from_page = inverse(*path.style.stroke_transform);
+    if (!pen_from_page) return std::nullopt;
+    Path result = path.path;
+    result.transform(*pen_from_page);
+    const auto finite = [](Point point) { return is_finite(point); };
+    return std::ranges::all_of(result.points(), finite) ? std::optional(std::move(result))
+                                                        : std::nullopt;
   }
 
   void write_plain_path(const PathRecord& path, const std::string& id) {
@@ -219,7 +228,7 @@ class SvgWriter {
 
   // A clip stands around the path: its coordinates are those of the page. Gradients are brought
   // into the space of the pen.
-  void write_transformed_path(const PathRecord& path, const std::string& id) {
+  void write_transformed_path(const PathRecord& path, const Path& pen_path, const std::string& id) {
     const Transform page_from_pen = *path.style.stroke_transform;
     const Transform pen_from_page = *inverse(page_from_pen);
     const bool clipped = !path.clip.empty();
@@ -228,8 +237,6 @@ class SvgWriter {
       refer_to_clip(path.clip, path);
     }
     const GradientIds gradient_ids = write_transformed_gradients(path, pen_from_page);
-    Path pen_path = path.path;
-    pen_path.transform(pen_from_page);
     begin_path("path", path, id);
     xml_.attribute("transform", to_matrix(page_from_pen));
     write_style(xml_, path, gradient_ids);
@@ -245,7 +252,7 @@ class SvgWriter {
     for (const std::optional<Paint>& paint : {path.style.fill, path.style.stroke}) {
       const auto* reference = paint ? std::get_if<PaintReference>(&*paint) : nullptr;
       const GradientRecord* gradient = reference ? find_gradient(*reference, path) : nullptr;
-      if (!gradient) continue;
+      if (!gradient || !(pen_from_page * gradient->page_from_gradient).is_finite()) continue;
       written.emplace_back(reference->id, ids_.make_unique(ids_.find(reference->id)));
       xml_.begin("defs");
       write_gradient(xml_, *gradient, written.back().second, pen_from_page);
@@ -260,7 +267,7 @@ class SvgWriter {
 
   void begin_path(std::string_view element, const PathRecord& path, const std::string& id) {
     xml_.begin(element);
-    if (!id.empty()) xml_.attribute("id", id);
+    write_id(xml_, path, id);
     write_notes(xml_, path);
   }
 

@@ -2,6 +2,7 @@
 #include "converters/svg/view_box.h"
 
 #include <algorithm>
+#include <string>
 
 #include "converters/svg/scanner.h"
 
@@ -9,7 +10,7 @@ namespace libstyle::svg {
 namespace {
 
 bool take_align(std::string_view& word, std::string_view axis, Align& align) {
-  constexpr std::string_view kNames[] = {"Min", "Mid", "Max"};
+  constexpr std::string_view kNames[] = {"min", "mid", "max"};
   if (!word.starts_with(axis)) return false;
   const auto found = std::ranges::find(kNames, word.substr(axis.size(), 3));
   if (found == std::end(kNames)) return false;
@@ -18,9 +19,12 @@ bool take_align(std::string_view& word, std::string_view axis, Align& align) {
   return true;
 }
 
-std::string_view take_next_word(Scanner& scanner) {
+// In lower case.
+std::string take_next_word(Scanner& scanner) {
   scanner.skip_spaces();
-  return scanner.take_word();
+  std::string word(scanner.take_word());
+  std::ranges::transform(word, word.begin(), to_lower);
+  return word;
 }
 
 // Where the low edge of `size` comes to lie in `available`.
@@ -31,30 +35,48 @@ double aligned(Align align, double available, double size) {
 }  // namespace
 
 std::optional<Rectangle> parse_view_box(std::string_view text) {
-  const NumberList list = parse_number_list(text);
-  if (!list.complete || list.numbers.size() != 4) return std::nullopt;
-  const Rectangle box = {list.numbers[0], list.numbers[1], list.numbers[2], list.numbers[3]};
+  Scanner scanner(trimmed(text));
+  Rectangle box;
+  for (double* const number : {&box.x, &box.y, &box.width, &box.height}) {
+    if (!scanner.take_number(*number)) return std::nullopt;
+    if (scanner.peek() == '%' || !scanner.take_word().empty()) return std::nullopt;
+    scanner.skip_separator();
+  }
   if (box.width < 0 || box.height < 0) return std::nullopt;
   return box;
 }
 
 std::optional<AspectRatio> parse_aspect_ratio(std::string_view text) {
-  Scanner scanner(trimmed(text));
+  Scanner scanner(text);
   AspectRatio ratio;
-  std::string_view word = take_next_word(scanner);
+  std::string word = take_next_word(scanner);
   if (word == "defer") {
     ratio.defer = true;
     word = take_next_word(scanner);
   }
-  if (word == "none") {
+  std::string_view align = word;
+  if (align == "none") {
     ratio.preserved = false;
-  } else if (!take_align(word, "x", ratio.x) || !take_align(word, "Y", ratio.y) || !word.empty()) {
+  } else if (!take_align(align, "x", ratio.x) || !take_align(align, "y", ratio.y) ||
+             !align.empty()) {
     return std::nullopt;
   }
-  word = take_next_word(scanner);
-  ratio.slice = word == "slice";
-  if (!scanner.at_end() || !(word.empty() || word == "meet" || ratio.slice)) return std::nullopt;
+  ratio.slice = take_next_word(scanner) == "slice";
   return ratio;
+}
+
+std::optional<View> read_view(pugi::xml_node element) {
+  View view;
+  if (const pugi::xml_attribute attribute = element.attribute("viewBox")) {
+    view.view_box = parse_view_box(attribute.value());
+    if (!view.view_box) return std::nullopt;
+  }
+  if (const pugi::xml_attribute attribute = element.attribute("preserveAspectRatio")) {
+    const std::optional<AspectRatio> ratio = parse_aspect_ratio(attribute.value());
+    if (!ratio) return std::nullopt;
+    view.ratio = *ratio;
+  }
+  return view;
 }
 
 std::optional<Transform> viewport_from_view_box(const Rectangle& viewport,

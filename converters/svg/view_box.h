@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <pugixml.hpp>
 #include <string_view>
 
 #include "libstyle/geometry/transform.h"
@@ -20,8 +21,8 @@ struct Rectangle {
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-// Four numbers. Nothing when there are fewer or more, or a size is negative. A size of 0 is valid
-// and means that nothing is drawn.
+// Four numbers; more are not looked at. Nothing when there are fewer, one has a unit, or a size is
+// negative. A size of 0 is valid and means that nothing is drawn.
 std::optional<Rectangle> parse_view_box(std::string_view text);
 
 enum class Align : std::uint8_t { kMin, kMid, kMax };
@@ -36,8 +37,19 @@ struct AspectRatio {
   friend bool operator==(const AspectRatio&, const AspectRatio&) = default;
 };
 
-// "[defer] none|xMinYMin|..|xMaxYMax [meet|slice]". Nothing when it is anything else.
+// "[defer] none|xMinYMin|..|xMaxYMax [meet|slice]" in any case; what follows is not looked at.
+// Nothing when it is anything else.
 std::optional<AspectRatio> parse_aspect_ratio(std::string_view text);
+
+// What an element that opens a viewport shows in it.
+struct View {
+  std::optional<Rectangle> view_box;
+  AspectRatio ratio;
+};
+
+// Nothing when viewBox or preserveAspectRatio is there and wrong. Such an element is in error and
+// not drawn, as librsvg has it.
+std::optional<View> read_view(pugi::xml_node element);
 
 // Brings `view_box` into `viewport`. Nothing when a size of the view box is 0 or the map has no
 // inverse.

@@ -19,14 +19,10 @@ bool is_finite(const Path& path, const Transform& map) {
   return std::ranges::all_of(path.points(), [&](Point p) { return libstyle::is_finite(map(p)); });
 }
 
-bool is_within(pugi::xml_node element, pugi::xml_node ancestor) {
-  while (element && element != ancestor) element = element.parent();
-  return !element.empty();
-}
+constexpr Length kWhole = {100, LengthUnit::kPercent};
 
 Rectangle viewport_of(const Scope& scope) {
   const LengthContext context = length_context(scope.style, scope.viewport);
-  constexpr Length kWhole = {100, LengthUnit::kPercent};
   return {resolve(scope.style.x, LengthAxis::kHorizontal, context),
           resolve(scope.style.y, LengthAxis::kVertical, context),
           resolve(scope.style.width.value_or(kWhole), LengthAxis::kHorizontal, context),
@@ -97,6 +93,7 @@ void Walker::draw(pugi::xml_node element, const Scope& parent) {
 Scope Walker::enter(pugi::xml_node element, const Scope& parent) const {
   Scope scope;
   scope.style = cascade(element, parent.style, drawing_.index.sheets());
+  scope.paint_context = parent.paint_context;
   scope.page_from_user = parent.page_from_user;
   if (scope.style.transform) scope.page_from_user = scope.page_from_user * *scope.style.transform;
   scope.viewport = parent.viewport;
@@ -113,15 +110,17 @@ void Walker::draw_group(pugi::xml_node element, Scope& scope) {
 void Walker::draw_switch(pugi::xml_node element, Scope& scope) {
   if (!canvas_.open_group(element, scope, std::nullopt)) return;
   for (const pugi::xml_node child : element.children()) {
-    const bool drawable =
-        child.type() == pugi::node_element && element_kind(child.name()) != ElementKind::kForeign;
-    if (drawable && conditions_hold(child)) return draw(child, scope);
+    if (child.type() == pugi::node_element && conditions_hold(child)) return draw(child, scope);
   }
 }
 
 void Walker::draw_nested_svg(pugi::xml_node element, Scope& scope) {
-  const Rectangle viewport = viewport_of(scope);
-  draw_viewport(element, scope, viewport);
+  const std::optional<View> view = read_view(element);
+  if (!view) {
+    return drawing_.reporter.warn(element,
+                                  "its viewBox or preserveAspectRatio is wrong; it is left out");
+  }
+  draw_viewport(element, scope, viewport_of(scope), *view);
 }
 
 // --- use ----------------------------------------------------------------------------------------
@@ -132,48 +131,75 @@ void Walker::draw_use(pugi::xml_node element, Scope& scope) {
     return drawing_.reporter.warn(
         element, "refers to \"" + std::string(link_of(element)) + "\", which is not in the file");
   }
-  if (is_cycle(element, target))
+  if (std::ranges::find(targets_, target) != targets_.end()) {
     return drawing_.reporter.warn(element, "refers to itself; it is left out");
+  }
+  const std::optional<Rectangle> viewport = read_use_viewport(element, scope);
+  if (!viewport) return;
+  // A symbol opens its viewport at x and y, anything else is moved there (SVG 1.1, section 5.6);
+  // the move counts for the clip-path of the use, too.
+  const bool is_symbol = std::string_view(target.name()) == "symbol";
+  if (!is_symbol) {
+    scope.page_from_user =
+        scope.page_from_user * Transform::translation({viewport->x, viewport->y});
+  }
   if (!canvas_.open_group(element, scope, std::nullopt)) return;
+  scope.paint_context = paints_of(scope.style, scope.paint_context);
   targets_.push_back(target);
-  draw_target(target, element, scope);
+  if (is_symbol) {
+    draw_symbol(target, element, scope, *viewport);
+  } else {
+    draw(target, scope);
+  }
   targets_.pop_back();
 }
 
-// What is drawn is moved to x and y, except that a symbol opens its viewport there. Width and
-// height given here are those of the viewport that a symbol or svg opens (SVG 1.1, section 5.6).
-void Walker::draw_target(pugi::xml_node target, pugi::xml_node use, Scope& scope) {
-  const std::string_view name = target.name();
-  const Rectangle viewport = viewport_of(scope);
-  if (name != "symbol") {
-    scope.page_from_user = scope.page_from_user * Transform::translation({viewport.x, viewport.y});
+// Nothing where the use is not drawn: a size is 0, or an attribute is wrong. Width and height
+// matter to a symbol alone, as librsvg has it.
+std::optional<Rectangle> Walker::read_use_viewport(pugi::xml_node use, const Scope& scope) {
+  const LengthContext context = length_context(scope.style, scope.viewport);
+  bool wrong = false;
+  const auto length = [&](const char* name, LengthAxis axis, Length initial) {
+    const pugi::xml_attribute attribute = use.attribute(name);
+    const std::optional<Length> given = attribute ? parse_length(attribute.value()) : initial;
+    wrong = wrong || !given;
+    return resolve(given.value_or(initial), axis, context);
+  };
+  const Rectangle viewport = {length("x", LengthAxis::kHorizontal, {}),
+                              length("y", LengthAxis::kVertical, {}),
+                              length("width", LengthAxis::kHorizontal, kWhole),
+                              length("height", LengthAxis::kVertical, kWhole)};
+  if (wrong || viewport.width < 0 || viewport.height < 0) {
+    drawing_.reporter.warn(use, "its x, y, width or height is wrong; it is left out");
+    return std::nullopt;
   }
-  if (name != "symbol" && name != "svg") return draw(target, scope);
-  Scope inner = enter(target, scope);
-  count_element(use, inner);
-  if (name == "symbol") return draw_viewport(target, inner, viewport);
-  const Rectangle own = viewport_of(inner);
-  draw_viewport(target, inner,
-                {own.x, own.y, scope.style.width ? viewport.width : own.width,
-                 scope.style.height ? viewport.height : own.height});
+  if (viewport.width == 0 || viewport.height == 0) return std::nullopt;
+  return viewport;
 }
 
-bool Walker::is_cycle(pugi::xml_node use, pugi::xml_node target) const {
-  return is_within(use, target) || std::ranges::find(targets_, target) != targets_.end();
+// SVG 1.1 gives a symbol neither display nor transform. What is wrong in its view is not looked at.
+void Walker::draw_symbol(pugi::xml_node symbol, pugi::xml_node use, const Scope& scope,
+                         const Rectangle& viewport) {
+  Scope inner = enter(symbol, scope);
+  count_element(use, inner);
+  inner.page_from_user = scope.page_from_user;
+  inner.style.display = Display::kInline;
+  draw_viewport(symbol, inner, viewport,
+                {parse_view_box(symbol.attribute("viewBox").value()),
+                 parse_aspect_ratio(symbol.attribute("preserveAspectRatio").value())
+                     .value_or(AspectRatio{})});
 }
 
 // --- Viewports and shapes -----------------------------------------------------------------------
 
-void Walker::draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport) {
+void Walker::draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport,
+                           const View& view) {
   if (!(viewport.width > 0 && viewport.height > 0)) return;
-  const auto view_box = parse_view_box(element.attribute("viewBox").value());
   std::optional<Transform> viewport_from_inside = Transform::translation({viewport.x, viewport.y});
   Vector inside = {viewport.width, viewport.height};
-  if (view_box) {
-    const auto ratio = parse_aspect_ratio(element.attribute("preserveAspectRatio").value());
-    viewport_from_inside =
-        viewport_from_view_box(viewport, *view_box, ratio.value_or(AspectRatio{}));
-    inside = {view_box->width, view_box->height};
+  if (view.view_box) {
+    viewport_from_inside = viewport_from_view_box(viewport, *view.view_box, view.ratio);
+    inside = {view.view_box->width, view.view_box->height};
   }
   if (!viewport_from_inside) return;
   const bool clipped = scope.style.overflow == Overflow::kHidden;

@@ -44,8 +44,11 @@ class Walker {
   void draw_switch(pugi::xml_node element, Scope& scope);
   void draw_nested_svg(pugi::xml_node element, Scope& scope);
   void draw_use(pugi::xml_node element, Scope& scope);
-  void draw_target(pugi::xml_node target, pugi::xml_node use, Scope& scope);
-  void draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport);
+  std::optional<Rectangle> read_use_viewport(pugi::xml_node use, const Scope& scope);
+  void draw_symbol(pugi::xml_node symbol, pugi::xml_node use, const Scope& scope,
+                   const Rectangle& viewport);
+  void draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport,
+                     const View& view);
   void draw_shape(pugi::xml_node element, ElementKind kind, const Scope& scope);
   void draw_text(pugi::xml_node element, Scope& scope);
   void draw_text_part(const TextContent& text, std::size_t part, std::span<TextRun> runs,
@@ -53,7 +56,6 @@ class Walker {
   void draw_outline(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope);
 
   Scope enter(pugi::xml_node element, const Scope& parent) const;
-  bool is_cycle(pugi::xml_node use, pugi::xml_node target) const;
   void count_element(pugi::xml_node element, const Scope& scope);
   void count_points(pugi::xml_node element, const Path& path);
 

@@ -56,8 +56,7 @@ Document synthesized_document(const CurveSynthesis& style, const Document& examp
   for (Point& p : drawn.curve.points) p += Point{margin, margin} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
-  path.path =
-      smooth_curve(drawn, length, kFitTolerance * style.example().feature_size()).path;
+  path.path = smooth_curve(drawn, length, kFitTolerance * style.example().feature_size()).path;
   Document document;
   document.header.name = example.header.name;
   document.header.width = std::ceil(size.x + 2 * margin);

@@ -89,7 +89,9 @@ struct GroupRecord : RecordBase {
 
   bool layer = false;  // shown as a layer by drawing programs
   double opacity = 1;  // 0 .. 1
-  std::string clip;    // id of a clip record
+  BlendMode blend_mode = BlendMode::kNormal;
+  bool isolated = false;  // members blend with each other alone; implied by opacity and blend mode
+  std::string clip;       // id of a clip record
   bool hidden = false;
 
   friend bool operator==(const GroupRecord&, const GroupRecord&) = default;

@@ -141,6 +141,8 @@ inline constexpr NumberForm kOpacity = {1, 0, 1};
 inline constexpr WordForm<2> kFillRules = {{"nonzero", "evenodd"}};
 inline constexpr WordForm<2> kVisibilities = {{"visible", "hidden"}};
 
+inline constexpr WordForm<16> kBlendModes = {kBlendModeNames};
+
 inline constexpr auto kCommonFields = std::tuple{
     Field{"type", std::identity{}, TypeForm{}, Presence::kAlwaysWritten},
     Field{"id", &RecordBase::id, TextForm{}}, Field{"in", &RecordBase::parent, TextForm{}},
@@ -178,6 +180,8 @@ inline constexpr auto kFields<PathRecord> = std::tuple_cat(
         Field{"stroke-dashoffset", in_style(&Style::dash_offset), NumberForm{0}},
         Field{"stroke-transform", in_style(&Style::stroke_transform), TransformForm{}},
         Field{"paint-order", in_style(&Style::stroke_first), WordForm<2>{{"normal", "stroke"}}},
+        Field{"shape-rendering", in_style(&Style::crisp_edges),
+              WordForm<2>{{"auto", "crispEdges"}}},
         Field{"opacity", in_style(&Style::opacity), kOpacity},
         Field{"visibility", in_style(&Style::hidden), kVisibilities},
         Field{"d", &PathRecord::path, PathForm{}, Presence::kRequired},
@@ -185,10 +189,13 @@ inline constexpr auto kFields<PathRecord> = std::tuple_cat(
 
 template <>
 inline constexpr auto kFields<GroupRecord> = std::tuple_cat(
-    kCommonFields, std::tuple{Field{"layer", &GroupRecord::layer, FlagForm{}},
-                              Field{"opacity", &GroupRecord::opacity, kOpacity},
-                              Field{"clip", &GroupRecord::clip, TextForm{}},
-                              Field{"visibility", &GroupRecord::hidden, kVisibilities}});
+    kCommonFields,
+    std::tuple{Field{"layer", &GroupRecord::layer, FlagForm{}},
+               Field{"opacity", &GroupRecord::opacity, kOpacity},
+               Field{"mix-blend-mode", &GroupRecord::blend_mode, kBlendModes},
+               Field{"isolation", &GroupRecord::isolated, WordForm<2>{{"auto", "isolate"}}},
+               Field{"clip", &GroupRecord::clip, TextForm{}},
+               Field{"visibility", &GroupRecord::hidden, kVisibilities}});
 
 template <>
 inline constexpr auto kFields<GradientStop> =

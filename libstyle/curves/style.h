@@ -3,6 +3,7 @@
 // except that nothing is filled unless it says so (see Style).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -51,6 +52,32 @@ enum class FillRule : std::uint8_t { kNonZero, kEvenOdd };
 enum class LineCap : std::uint8_t { kButt, kRound, kSquare };
 enum class LineJoin : std::uint8_t { kMiter, kRound, kBevel };
 
+// How a picture is mixed with what lies below it, named as in CSS (Compositing and Blending level
+// 1).
+enum class BlendMode : std::uint8_t {
+  kNormal,
+  kMultiply,
+  kScreen,
+  kOverlay,
+  kDarken,
+  kLighten,
+  kColorDodge,
+  kColorBurn,
+  kHardLight,
+  kSoftLight,
+  kDifference,
+  kExclusion,
+  kHue,
+  kSaturation,
+  kColor,
+  kLuminosity
+};
+
+inline constexpr std::array<std::string_view, 16> kBlendModeNames = {
+    "normal",      "multiply",   "screen",     "overlay",    "darken",     "lighten",
+    "color-dodge", "color-burn", "hard-light", "soft-light", "difference", "exclusion",
+    "hue",         "saturation", "color",      "luminosity"};
+
 // A path whose fill and stroke are both unset is a bare curve: it is drawn as a black line 1 px
 // wide. Otherwise what is unset is not painted.
 struct Style {
@@ -71,6 +98,7 @@ struct Style {
   std::optional<Transform> stroke_transform;
 
   bool stroke_first = false;  // paint-order: stroke
+  bool crisp_edges = false;   // shape-rendering: crispEdges; pixels are painted whole or not at all
   double opacity = 1;         // 0 .. 1, of fill and stroke together
   bool hidden = false;        // visibility: hidden; kept, not drawn
 

@@ -29,6 +29,35 @@ TEST(DrawGroup, WithoutOpacityChangesNothing) {
   EXPECT_EQ(with, without);
 }
 
+TEST(DrawPath, PaintsWholePixelsWithCrispEdges) {
+  PathRecord path = filled("M10.5 10.3 L60.4 20.8 L30 90 Z");
+  path.style.crisp_edges = true;
+  const Image image = draw(make_page({path}));
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) EXPECT_EQ(image.at(x, y)[3] % 255, 0) << x << ' ' << y;
+  }
+}
+
+TEST(DrawGroup, BlendsWithWhatLiesBelow) {
+  GroupRecord multiply = group("m");
+  multiply.blend_mode = BlendMode::kMultiply;
+  const Records below = {filled(kLeft, {255, 128, 0}), filled(kRight, {255, 128, 0})};
+  const Image image =
+      draw(make_page({below[0], below[1], multiply, in("m", filled(kRight, {0, 255, 255}))}));
+  EXPECT_EQ(image.at(20, 50), (Pixel{255, 128, 0, 255}));
+  EXPECT_EQ(image.at(80, 50), (Pixel{0, 128, 0, 255}));
+}
+
+TEST(DrawGroup, IsolatedMembersBlendWithEachOtherAlone) {
+  GroupRecord isolated = group("i");
+  isolated.isolated = true;
+  GroupRecord multiply = group("m");
+  multiply.blend_mode = BlendMode::kMultiply;
+  const Image image = draw(make_page(
+      {filled(kLeft, kRed), isolated, in("i", multiply), in("m", filled(kLeft, {0, 0, 255}))}));
+  EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 255, 255}));
+}
+
 TEST(DrawGroup, NestedOpacitiesMultiply) {
   const Image image =
       draw(make_page({group("a", 0.5), in("a", group("b", 0.5)), in("b", filled(kLeft))}));

@@ -120,6 +120,7 @@ class DocumentMaker {
     if (sometimes()) result.dash_offset = number();
     if (sometimes()) result.stroke_transform = transform();
     result.stroke_first = sometimes();
+    result.crisp_edges = sometimes();
     if (sometimes()) result.opacity = fraction();
     result.hidden = sometimes();
     return result;
@@ -169,6 +170,8 @@ class DocumentMaker {
     auto record = base<GroupRecord>();
     record.layer = sometimes();
     if (sometimes()) record.opacity = fraction();
+    record.blend_mode = static_cast<BlendMode>(below(kBlendModeNames.size()));
+    record.isolated = sometimes();
     record.clip = text();
     record.hidden = sometimes();
     return record;

@@ -92,6 +92,46 @@ TEST(CarriedKeys, BringUnknownKeysBack) {
   EXPECT_EQ(read_clip, clip);
 }
 
+TEST(CarriedKeys, BringUnknownKeysOfObjectsBack) {
+  const std::vector<Extra> extras = {{"note \"x\"", "[1,2]"}, {"t", "0.5"}};
+  const std::string carried = carried_extras(extras);
+  GradientStop stop;
+  LinearGeometry linear;
+  RadialGeometry radial;
+  ClipPart part;
+  EXPECT_TRUE(restore_carried_extras(carried, stop));
+  EXPECT_TRUE(restore_carried_extras(carried, linear));
+  EXPECT_TRUE(restore_carried_extras(carried, radial));
+  EXPECT_TRUE(restore_carried_extras(carried, part));
+  EXPECT_EQ(stop.extras, extras);
+  EXPECT_EQ(linear.extras, extras);
+  EXPECT_EQ(radial.extras, extras);
+  EXPECT_EQ(part.extras, extras);
+  for (const char* wrong : {"", "{", "note", "{\"note\"}", "{\"a\":1}],\"stops\":[{\"a\":1}"}) {
+    EXPECT_FALSE(restore_carried_extras(wrong, stop)) << wrong;
+  }
+  EXPECT_EQ(carried_extras({}), "");
+}
+
+TEST(CarriedId, IsThatOfTheRecordWhereXmlHasAnother) {
+  EXPECT_EQ(carried_id("chair", "chair"), "");
+  EXPECT_EQ(carried_id("chair~2", "chair-2"), "chair~2");
+  EXPECT_EQ(carried_id("chair~2", ""), "chair~2");
+  EXPECT_EQ(carried_id("~2", "clip-1"), "~2");
+  EXPECT_EQ(carried_id("~2", ""), "");
+  EXPECT_EQ(carried_id("", ""), "");
+}
+
+TEST(CarriedId, CountsUntilSomebodyGivesAnother) {
+  EXPECT_TRUE(fits_carried_id("chair~2", "chair-2"));
+  EXPECT_TRUE(fits_carried_id("chair~2", "chair"));
+  EXPECT_TRUE(fits_carried_id("chair~2", ""));
+  EXPECT_TRUE(fits_carried_id("~2", "clip-1"));
+  EXPECT_FALSE(fits_carried_id("chair~2", "throne"));
+  EXPECT_FALSE(fits_carried_id("chair~2", "chair-left"));
+  EXPECT_FALSE(fits_carried_id("~2", "window"));
+}
+
 TEST(CarriedRecords, AreADocument) {
   const auto document = restore_carried_records(
       "\n  {\"curves\":1,\"name\":\"n\"}\n  "

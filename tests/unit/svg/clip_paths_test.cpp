@@ -145,5 +145,30 @@ TEST(ClipPaths, EndInAnErrorWhereTheyMultiplyWithoutEnd) {
       HasSubstr("use draws more than 10000 elements"));
 }
 
+TEST(ClipPaths, HoldNoGroups) {
+  const Reading reading = read(
+      "<defs><g id='u'><rect width='1' height='1'/></g></defs>"
+      "<clipPath id='c'><g><rect width='2' height='2'/></g><use href='#u'/>"
+      "<rect width='3' height='3'/></clipPath><rect width='9' height='9' clip-path='url(#c)'/>");
+  ASSERT_EQ(reading.clips().size(), 1U);
+  ASSERT_EQ(reading.clips()[0]->parts.size(), 1U);
+  EXPECT_EQ(to_path_data(reading.clips()[0]->parts[0].path), "M0 0 L3 0 L3 3 L0 3 Z");
+}
+
+TEST(ClipPaths, MoveWithTheUseTheyAreOn) {
+  const Reading reading = read(
+      "<clipPath id='c'><rect width='3' height='3'/></clipPath>"
+      "<defs><path id='p' d='M0 0H9'/></defs><use href='#p' x='5' clip-path='url(#c)'/>");
+  ASSERT_EQ(reading.clips().size(), 1U);
+  EXPECT_EQ(to_path_data(reading.clips()[0]->parts.at(0).path), "M5 0 L8 0 L8 3 L5 3 Z");
+}
+
+TEST(ClipPaths, InUnitsOfABoxWithoutAreaDoNotClip) {
+  const Reading reading = read(
+      "<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath>"
+      "<path d='M0 0H9' stroke='red' clip-path='url(#c)'/>");
+  EXPECT_EQ(reading.path().clip, "");
+}
+
 }  // namespace
 }  // namespace libstyle::svg

@@ -63,6 +63,8 @@ TEST(CssColor, ReadsHues) {
   EXPECT_EQ(read("hsl(77, 0%, 50%)"), "#808080");
 }
 
+TEST(CssColor, ClosesWhatIsLeftOpen) { EXPECT_EQ(read("rgb(1,2,3"), "#010203"); }
+
 TEST(CssColor, RefusesWhatIsNoColor) {
   for (const char* text : {"",
                            "none",
@@ -76,7 +78,6 @@ TEST(CssColor, RefusesWhatIsNoColor) {
                            "rgb",
                            "rgb()",
                            "rgb(1,2)",
-                           "rgb(1,2,3",
                            "rgb(1,2%,3)",
                            "rgb(1,2 3)",
                            "rgb(1,2,3,4,5)",

@@ -125,12 +125,26 @@ TEST(Gradients, WithoutStopsPaintNothing) {
 
 TEST(Gradients, IgnoreValuesThatAreWrong) {
   const GradientRecord gradient = gradient_of(
-      read("<radialGradient id='g' r='-1' cx='left' gradientUnits='page' spreadMethod='never'"
+      read("<radialGradient id='g' r='wide' cx='left' gradientUnits='page' spreadMethod='never'"
            " gradientTransform='none'>" +
            kStops + "</radialGradient>" + kSquare));
   EXPECT_EQ(std::get<RadialGeometry>(gradient.geometry),
             (RadialGeometry{{0.5, 0.5}, {0.5, 0.5}, 0.5, 0}));
   EXPECT_EQ(gradient.page_from_gradient, (Transform{40, 0, 0, 60, 10, 20}));
+}
+
+// The box of the square on the page is 20 wide: turned back by an eighth it is 10 sqrt(2) sqrt(2).
+TEST(Gradients, MeasureTurnedShapesOnThePage) {
+  const GradientRecord gradient =
+      gradient_of(read("<linearGradient id='g'>" + kStops + "</linearGradient>" +
+                       "<path transform='rotate(45)' d='M0 0H10V10H0z' fill='url(#g)'/>"));
+  EXPECT_NEAR(norm(gradient.page_from_gradient.linear({1, 0})), 20, 1e-9);
+}
+
+TEST(Gradients, DrawNegativeRadiiWithoutTheirSign) {
+  const GradientRecord gradient =
+      gradient_of(read("<radialGradient id='g' r='-1'>" + kStops + "</radialGradient>" + kSquare));
+  EXPECT_EQ(std::get<RadialGeometry>(gradient.geometry).radius, 1);
 }
 
 TEST(Gradients, SayWhenAReferenceLeadsNowhere) {

@@ -40,16 +40,30 @@ TEST(MarkerVertices, CountTheClosingLine) {
       ElementsAre("start 0,0 0", "mid 10,0 45", "mid 10,10 135", "mid 0,10 -135", "end 0,0 -45"));
 }
 
-TEST(MarkerVertices, AreBetweenInLaterSubpaths) {
-  EXPECT_THAT(vertices_of("M0 0H10M20 0H30"),
-              ElementsAre("start 0,0 0", "mid 10,0 0", "mid 20,0 0", "end 30,0 0"));
+TEST(MarkerVertices, SkipTheEndsOfSubpathsButTheLast) {
+  EXPECT_THAT(vertices_of("M0 0H10M20 0V9"),
+              ElementsAre("start 0,0 0", "mid 20,0 45", "end 20,9 90"));
+  EXPECT_THAT(vertices_of("M0 0H10V9ZM20 0V9Z"),
+              ElementsAre("start 0,0 0", "mid 10,0 45", "mid 10,9 156", "mid 20,0 156",
+                          "mid 20,9 180", "end 20,0 -90"));
+}
+
+TEST(MarkerVertices, StandOnPointsAlone) {
+  EXPECT_THAT(vertices_of("M5 5"), ElementsAre("mid 5,5 0"));
+  EXPECT_THAT(vertices_of("M1 1M5 5V9M7 7"),
+              ElementsAre("mid 1,1 0", "start 5,5 90", "end 5,9 90", "mid 7,7 0"));
+}
+
+TEST(MarkerVertices, CountAClosingLineWithoutLength) {
+  EXPECT_THAT(vertices_of("M0 0H10V10H0V0Z"),
+              ElementsAre("start 0,0 0", "mid 10,0 45", "mid 10,10 135", "mid 0,10 -135",
+                          "mid 0,0 -90", "end 0,0 -45"));
 }
 
 TEST(MarkerVertices, TakeTheDirectionOfNeighboursWhereThereIsNone) {
   EXPECT_THAT(vertices_of("M0 0H10H10V10"),
               ElementsAre("start 0,0 0", "mid 10,0 45", "mid 10,0 45", "end 10,10 90"));
   EXPECT_THAT(vertices_of("M5 5H5"), ElementsAre("start 5,5 0", "end 5,5 0"));
-  EXPECT_THAT(vertices_of("M5 5"), IsEmpty());
 }
 
 TEST(MarkerVertices, DoNotSeeThePiecesOfAnArc) {
@@ -130,10 +144,46 @@ TEST(Markers, InheritFromWhereTheyStand) {
 
 TEST(Markers, AreLeftOutWhereNothingWouldBeSeen) {
   const std::string path = "<path d='M10 20V30' marker-start='url(#m)'/>";
-  for (const char* attributes : {"markerWidth='0'", "markerHeight='-1'", "viewBox='0 0 0 5'"}) {
+  for (const char* attributes : {"markerWidth='0'", "viewBox='0 0 0 5'"}) {
     EXPECT_THAT(read(marker(attributes) + path).paths(), SizeIs(1)) << attributes;
   }
   EXPECT_THAT(read(path).paths(), SizeIs(1));
+}
+
+TEST(Markers, StopReadingTheirAttributesAtAWrongOne) {
+  EXPECT_EQ(first_marker("markerUnits='userSpaceOnUse' markerWidth='-1' orient='90'"),
+            "M10 20 L11 20");
+  EXPECT_EQ(first_marker("markerUnits='page' orient='90'"), "M10 20 L12 20");
+}
+
+TEST(Markers, ArePaintedWhereThePaintOrderSays) {
+  const auto drawn = [](const std::string& order) {
+    const Reading reading = read(marker("") + "<path d='M10 20V30' stroke='red' paint-order='" +
+                                 order + "' marker-start='url(#m)'/>");
+    std::string shapes;
+    for (const PathRecord* path : reading.paths()) {
+      const bool filled = path->style.fill != Paint(NoPaint{});
+      shapes += path->id == "tip" ? "markers " : filled ? "fill " : "";
+      shapes += path->style.stroke ? "stroke " : "";
+    }
+    return shapes;
+  };
+  EXPECT_EQ(drawn("normal"), "fill stroke markers ");
+  EXPECT_EQ(drawn("MARKERS"), "markers fill stroke ");
+  EXPECT_EQ(drawn("fill markers"), "fill markers stroke ");
+  EXPECT_EQ(drawn("stroke markers"), "stroke markers fill ");
+  EXPECT_EQ(drawn("fill fill markers"), "fill stroke markers ");
+}
+
+TEST(Markers, TakeThePaintsOfTheirPath) {
+  const Reading reading = read(
+      "<marker id='m'><path d='M0 0H1' fill='context-stroke' stroke='context-fill' "
+      "fill-opacity='.1'/></marker><path d='M10 20V30' fill='currentColor' color='red' "
+      "stroke='blue' stroke-opacity='.5' marker-start='url(#m)'/>");
+  const Style style = reading.paths().at(1)->style;
+  EXPECT_EQ(style.fill, Paint(Color{0, 0, 255}));
+  EXPECT_EQ(style.fill_opacity, 0.5);
+  EXPECT_EQ(style.stroke, Paint(Color{255, 0, 0}));
 }
 
 TEST(Markers, DoNotDrawThemselves) {

@@ -47,14 +47,14 @@ TEST(RecordIds, MakesAnIdForWhatIsReferredTo) {
   EXPECT_EQ(ids.find("g"), "g");
   EXPECT_EQ(ids.find("g~2"), "g-2");  // g-1 is taken by the path
   EXPECT_EQ(ids.find("~1"), "clip-1");
-  EXPECT_EQ(ids.find("a~2"), "a-1");
+  EXPECT_EQ(ids.find("a~2"), "a-2");
 }
 
 TEST(RecordIds, KeepsNamedContainersApart) {
   const Document document = document_of(
       {with_id<GroupRecord>("g"), with_id<GroupRecord>("g~2"), with_id<GroupRecord>("~1")});
   const RecordIds ids(document);
-  EXPECT_EQ(ids.at(1), "g-1");
+  EXPECT_EQ(ids.at(1), "g-2");
   EXPECT_EQ(ids.at(2), "");
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "converters/svg/svg_writer.h"
+#include "tests/support/seeds.h"
 #include "tests/unit/curves/any_document.h"
 #include "tests/unit/svg/reading.h"
 
@@ -109,7 +110,8 @@ TEST(RoundTrip, KeepsPaint) {
   expect_round_trip(read(
       "<path d='M0 0h9v9' fill='none' stroke='#123456' stroke-width='.3' stroke-dasharray='1 2 3'"
       " stroke-dashoffset='-1' stroke-linecap='round' stroke-linejoin='bevel' opacity='.7'"
-      " stroke-opacity='.1' stroke-miterlimit='9' paint-order='stroke'/>"
+      " stroke-opacity='.1' stroke-miterlimit='9' shape-rendering='crispEdges' "
+      "paint-order='stroke'/>"
       "<path d='M0 0h9v9' fill='rgba(1,2,3,.5)' fill-opacity='.5' fill-rule='evenodd'/>"));
 }
 
@@ -134,6 +136,24 @@ TEST(RoundTrip, KeepsAPenThatIsNoCircleWithinRounding) {
   }
 }
 
+// The claim of the format: no point moves by more than a billionth of the page, whatever the pen.
+TEST(RoundTrip, MovesNoPointByABillionthOfThePage) {
+  for_each_seed(200, [](std::uint64_t seed) {
+    RandomValues random(seed);
+    std::string matrix, d;
+    for (int i = 0; i < 6; ++i) matrix += ' ' + std::to_string(random.uniform(-3, 3));
+    for (int i = 0; i < 8; ++i) d += ' ' + std::to_string(random.uniform(0, 1000));
+    const Reading first = read_file("<svg width='1000' height='1000'><path transform='matrix(" +
+                                    matrix + ")' d='M" + d + "' stroke='red'/></svg>");
+    const Reading second = read_file(written(first.document));
+    const auto before = first.path().path.points(), after = second.path().path.points();
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_LT(distance(before[i], after[i]), 1e-9 * 1000);
+    }
+  });
+}
+
 TEST(RoundTrip, KeepsWhatSvgHasNoPlaceFor) {
   Reading first = read("<g id='e'><path id='a' d='M0 0h9v9' stroke='red'/></g>");
   Document& document = first.document;
@@ -156,6 +176,29 @@ TEST(RoundTrip, KeepsWhatSvgHasNoPlaceFor) {
   expect_round_trip(first);
   EXPECT_EQ(read_file(written(document)).document.header.history, document.header.history);
   EXPECT_EQ(read_file(written(document)).document.header.extras, document.header.extras);
+}
+
+TEST(RoundTrip, KeepsMadeIds) {
+  const Reading first = read(
+      "<defs><linearGradient id='a'><stop/></linearGradient><g id='chair'>"
+      "<clipPath><path d='M0 0H1'/></clipPath><rect id='seat' width='9' height='9' fill='url(#a)'/>"
+      "</g></defs><use href='#chair'/><use href='#chair' x='5' opacity='.5'/>"
+      "<g display='none'><path d='M0 0H1'/></g>");
+  EXPECT_EQ(read_file(written(first.document)).document.records, first.document.records);
+}
+
+TEST(RoundTrip, KeepsUnknownKeysOfStopsGeometryAndParts) {
+  Reading first = read(
+      "<clipPath id='c'><path d='M0 0H1V1z'/></clipPath><linearGradient id='a'><stop/><stop/>"
+      "</linearGradient><rect width='9' height='9' fill='url(#a)' clip-path='url(#c)'/>");
+  for (Record& record : first.document.records) {
+    if (auto* clip = std::get_if<ClipRecord>(&record)) clip->parts[0].extras = {{"part", "1"}};
+    if (auto* gradient = std::get_if<GradientRecord>(&record)) {
+      gradient->stops[1].extras = {{"stop", "{\"a\":[1]}"}};
+      std::get<LinearGeometry>(gradient->geometry).extras = {{"bend", "\"up\""}};
+    }
+  }
+  EXPECT_EQ(read_file(written(first.document)).document.records, first.document.records);
 }
 
 // Documents that no SVG has made come to rest after one trip.

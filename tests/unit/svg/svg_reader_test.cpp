@@ -14,6 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 std::string ids_of_paths(const Reading& reading) {
   std::string ids;
@@ -156,11 +157,35 @@ TEST(SvgReader, CarriesTheWholeStroke) {
   EXPECT_EQ(style.line_join, LineJoin::kBevel);
   EXPECT_EQ(style.miter_limit, 7);
   EXPECT_TRUE(style.stroke_first);
+  EXPECT_FALSE(style.crisp_edges);
   EXPECT_EQ(style.opacity, 0.25);
   EXPECT_EQ(style.fill_rule, FillRule::kEvenOdd);
 }
 
 // --- Groups -------------------------------------------------------------------------------------
+
+TEST(SvgReader, KnowsCrispEdges) {
+  const auto is_crisp = [](const std::string& value) {
+    return read("<g shape-rendering='" + value + "'><path d='M0 0H1'/></g>")
+        .path()
+        .style.crisp_edges;
+  };
+  EXPECT_TRUE(is_crisp("crispEdges"));
+  EXPECT_TRUE(is_crisp("optimizeSpeed"));
+  EXPECT_FALSE(is_crisp("geometricPrecision"));
+  EXPECT_FALSE(is_crisp("sharp"));
+}
+
+TEST(SvgReader, PutsWhatBlendsIntoGroups) {
+  const Reading reading = read(
+      "<path style='mix-blend-mode: Multiply' d='M0 0H1'/><g style='isolation:isolate'>"
+      "<path style='mix-blend-mode:tint' d='M0 0H1'/></g>");
+  ASSERT_THAT(reading.groups(), SizeIs(2));
+  EXPECT_EQ(reading.groups()[0]->blend_mode, BlendMode::kMultiply);
+  EXPECT_EQ(reading.paths()[0]->parent, reading.groups()[0]->id);
+  EXPECT_TRUE(reading.groups()[1]->isolated);
+  EXPECT_EQ(reading.groups()[1]->blend_mode, BlendMode::kNormal);
+}
 
 TEST(SvgReader, KeepsGroupsThatCarrySomething) {
   const Reading reading =
@@ -240,9 +265,50 @@ TEST(SvgReader, OpensTheViewportOfASymbol) {
       "<symbol id='s' viewBox='0 0 10 10'><path d='M0 0L10 10'/></symbol>"
       "<use href='#s' x='20' y='30' width='50' height='50'/>");
   EXPECT_EQ(reading.path_data(), "M20 30 L70 80");
-  const auto& clip = std::get<ClipRecord>(reading.document.records.at(0));
+  EXPECT_THAT(reading.clips(), IsEmpty());
+}
+
+TEST(SvgReader, ClipsSymbolsThatSaySo) {
+  const Reading reading = read(
+      "<symbol id='s' viewBox='0 0 10 10' overflow='hidden'><path d='M0 0L10 10'/></symbol>"
+      "<use href='#s' x='20' y='30' width='50' height='50'/>");
+  const ClipRecord& clip = *reading.clips().at(0);
   EXPECT_EQ(to_path_data(clip.parts.at(0).path), "M20 30 L70 30 L70 80 L20 80 Z");
   EXPECT_EQ(reading.group().clip, clip.id);
+}
+
+TEST(SvgReader, DrawsSymbolsThatAreHiddenOrMovedAsTheyAre) {
+  EXPECT_EQ(
+      read("<symbol id='s' display='none' transform='scale(2)'><path d='M0 0L10 10'/></symbol>"
+           "<use href='#s'/>")
+          .path_data(),
+      "M0 0 L10 10");
+}
+
+TEST(SvgReader, LeavesOutElementsInError) {
+  for (const char* inside : {"<svg viewBox='0 0 9'><path d='M0 0H1'/></svg>",
+                             "<svg preserveAspectRatio='middle'><path d='M0 0H1'/></svg>",
+                             "<line x1='left' x2='5'/>", "<polygon points='0,0 1,1 2'/>",
+                             "<defs><path id='p' d='M0 0H1'/></defs><use href='#p' x='left'/>",
+                             "<defs><path id='p' d='M0 0H1'/></defs><use href='#p' width='-1'/>"}) {
+    const Reading reading = read(inside);
+    EXPECT_THAT(reading.paths(), IsEmpty()) << inside;
+    EXPECT_THAT(reading.warnings, SizeIs(1)) << inside;
+  }
+}
+
+TEST(SvgReader, DrawsNothingOfAPageWithAWrongViewBox) {
+  EXPECT_THAT(read_file("<svg viewBox='0 0 9px 9px'><path d='M0 0H1'/></svg>").paths(), IsEmpty());
+}
+
+TEST(SvgReader, TakesPaintsFromTheUseThatDrawsAShape) {
+  const Style style = read(
+                          "<defs><path id='p' d='M0 0H1' fill='context-stroke'/></defs>"
+                          "<use href='#p' stroke='#010203'/>")
+                          .path()
+                          .style;
+  EXPECT_EQ(style.fill, Paint(Color{1, 2, 3}));
+  EXPECT_EQ(read("<path d='M0 0H1' fill='context-fill'/>").path().style.fill, Paint(NoPaint{}));
 }
 
 TEST(SvgReader, OpensTheViewportOfANestedSvg) {
@@ -253,11 +319,15 @@ TEST(SvgReader, OpensTheViewportOfANestedSvg) {
   EXPECT_THAT(reading.groups(), IsEmpty());
 }
 
-TEST(SvgReader, LetsUseSizeTheSvgItRefersTo) {
+TEST(SvgReader, KeepsTheSizeOfTheSvgThatIsUsed) {
   EXPECT_EQ(read("<defs><svg id='s' width='10' height='10' viewBox='0 0 10 10'>"
                  "<path d='M0 0L10 10'/></svg></defs><use href='#s' x='5' width='40' height='40'/>")
                 .path_data(),
-            "M5 0 L45 40");
+            "M5 0 L15 10");
+}
+
+TEST(SvgReader, DrawsAUseOfItsOwnGroupOnce) {
+  EXPECT_THAT(read("<g id='g'><path d='M0 0H1'/><use href='#g' x='5'/></g>").paths(), SizeIs(2));
 }
 
 TEST(SvgReader, LeavesOutUsesOfThemselves) {

@@ -97,6 +97,14 @@ TEST(SvgWriter, NestsGroupsAgain) {
             "  <g id=\"empty\"/>\n");
 }
 
+TEST(SvgWriter, WritesBlendingAsStyle) {
+  GroupRecord group = group_record("g");
+  group.blend_mode = BlendMode::kColorDodge;
+  group.isolated = true;
+  EXPECT_EQ(body({group}),
+            "  <g id=\"g\" style=\"mix-blend-mode:color-dodge;isolation:isolate\"/>\n");
+}
+
 TEST(SvgWriter, WritesPaintAsAttributes) {
   PathRecord path = path_record("");
   path.path = parse_path_data("M0 0 L5 0");
@@ -181,10 +189,11 @@ TEST(SvgWriter, DefinesGradients) {
             "      <stop offset=\"0\" stop-color=\"#ff0000\"/>\n"
             "      <stop offset=\"1\" stop-color=\"#0000ff\" stop-opacity=\"0.5\"/>\n"
             "    </linearGradient>\n"
-            "    <radialGradient id=\"g-1\" gradientUnits=\"userSpaceOnUse\" cx=\"5\" cy=\"5\" "
+            "    <radialGradient id=\"g-2\" curves:id=\"g~2\" gradientUnits=\"userSpaceOnUse\" "
+            "cx=\"5\" cy=\"5\" "
             "r=\"3\" fx=\"4\" fy=\"5\"/>\n"
             "  </defs>\n"
-            "  <path id=\"a\" fill=\"url(#g)\" stroke=\"url(#g-1)\" d=\"M0 0 L5 0 L5 5\"/>\n");
+            "  <path id=\"a\" fill=\"url(#g)\" stroke=\"url(#g-2)\" d=\"M0 0 L5 0 L5 5\"/>\n");
 }
 
 TEST(SvgWriter, DefinesClips) {
@@ -199,7 +208,7 @@ TEST(SvgWriter, DefinesClips) {
   path.clip = "c";
   EXPECT_EQ(body({inner, outer, path}),
             "  <defs>\n"
-            "    <clipPath id=\"clip-1\">\n"
+            "    <clipPath id=\"clip-1\" curves:id=\"~1\">\n"
             "      <path clip-rule=\"evenodd\" d=\"M0 0 L1 0 L1 1 Z\"/>\n"
             "    </clipPath>\n"
             "    <clipPath id=\"c\" clip-path=\"url(#clip-1)\">\n"
@@ -218,6 +227,15 @@ TEST(SvgWriter, TransformsThePathToThePen) {
             "d=\"M0 0 L2.5 0 L2.5 1.25\"/>\n");
 }
 
+TEST(SvgWriter, DrawsWithARoundPenWhereItsSpaceIsBeyondAllNumbers) {
+  PathRecord path = path_record("a");
+  path.style.stroke_transform = Transform{1e-200, 0, 0, 1, 0, 0};
+  path.path = parse_path_data("M0 0 L1e200 0");
+  const Written written = write({{}, {path}});
+  EXPECT_THAT(written.text, HasSubstr("d=\"M0 0 L1e"));
+  EXPECT_THAT(written.warnings, ::testing::ElementsAre(HasSubstr("too extreme")));
+}
+
 TEST(SvgWriter, BringsGradientsAndClipsToTheTransformedPath) {
   GradientRecord gradient;
   gradient.id = "g";
@@ -228,16 +246,17 @@ TEST(SvgWriter, BringsGradientsAndClipsToTheTransformedPath) {
   path.clip = "c";
   path.style.stroke = PaintReference{"g"};
   path.style.stroke_transform = Transform{2, 0, 0, 4, 0, 0};
-  EXPECT_THAT(body({gradient, clip, path}),
-              HasSubstr("  <g clip-path=\"url(#c)\">\n"
-                        "    <defs>\n"
-                        "      <linearGradient id=\"g-1\" gradientUnits=\"userSpaceOnUse\" "
-                        "x1=\"0\" y1=\"0\" x2=\"8\" y2=\"0\" "
-                        "gradientTransform=\"matrix(0.5 0 0 0.25 0 0)\"/>\n"
-                        "    </defs>\n"
-                        "    <path id=\"a\" transform=\"matrix(2 0 0 4 0 0)\" fill=\"none\" "
-                        "stroke=\"url(#g-1)\" d=\"M0 0 L2.5 0 L2.5 1.25\"/>\n"
-                        "  </g>\n"));
+  EXPECT_THAT(
+      body({gradient, clip, path}),
+      HasSubstr("  <g clip-path=\"url(#c)\">\n"
+                "    <defs>\n"
+                "      <linearGradient id=\"g-1\" curves:id=\"g\" gradientUnits=\"userSpaceOnUse\" "
+                "x1=\"0\" y1=\"0\" x2=\"8\" y2=\"0\" "
+                "gradientTransform=\"matrix(0.5 0 0 0.25 0 0)\"/>\n"
+                "    </defs>\n"
+                "    <path id=\"a\" transform=\"matrix(2 0 0 4 0 0)\" fill=\"none\" "
+                "stroke=\"url(#g-1)\" d=\"M0 0 L2.5 0 L2.5 1.25\"/>\n"
+                "  </g>\n"));
 }
 
 TEST(SvgWriter, DrawsVaryingStrokesWithTheirMeanAndSaysSoOnce) {
@@ -273,8 +292,8 @@ TEST(SvgWriter, CarriesWhatDrawsNothingInMetadata) {
   const auto carried = restore_carried_records(
       tree.child("svg").child("metadata").child(kCarriedRecords).text().get());
   ASSERT_TRUE(carried);
-  constraint.curve = label.of = "a-1";  // the id that the second path has in the SVG
   EXPECT_EQ(carried->records, (Records{constraint, label, unknown}));
+  EXPECT_THAT(write(document).text, HasSubstr("<path id=\"a-2\" curves:id=\"a~2\" "));
 }
 
 TEST(SvgWriter, SaysWhatIsNotThere) {

@@ -11,7 +11,9 @@ namespace {
 TEST(ViewBox, IsFourNumbers) {
   EXPECT_EQ(parse_view_box(" 1 -2,3 4.5 "), (Rectangle{1, -2, 3, 4.5}));
   EXPECT_EQ(parse_view_box("0 0 0 5"), (Rectangle{0, 0, 0, 5}));
-  for (const char* text : {"", "1 2 3", "1 2 3 4 5", "1 2 3 4px", "0 0 -1 5", "0 0 1 -5"}) {
+  EXPECT_EQ(parse_view_box("1 2 3 4 5"), (Rectangle{1, 2, 3, 4}));
+  for (const char* text :
+       {"", "1 2 3", "1 2 3px 4", "1 2 3 4%", "1 2 3 4px", "0 0 -1 5", "0 0 1 -5"}) {
     EXPECT_EQ(parse_view_box(text), std::nullopt) << text;
   }
 }
@@ -34,9 +36,14 @@ TEST(AspectRatio, ReadsEveryForm) {
   EXPECT_FALSE(parse_aspect_ratio("none slice").value().preserved);
 }
 
+TEST(AspectRatio, LooksNeitherAtCaseNorAtWhatFollows) {
+  EXPECT_EQ(parse_aspect_ratio("xmaxYMIN"), parse_aspect_ratio("xMaxYMin"));
+  EXPECT_EQ(parse_aspect_ratio("xMaxYMin cut"), parse_aspect_ratio("xMaxYMin"));
+}
+
 TEST(AspectRatio, RefusesAnythingElse) {
-  for (const char* text : {"", "meet", "xMidYMid cut", "xmidymid", "xMid", "YMidxMid", "xMidYMidd",
-                           "xMidYMid meet slice", "slice xMidYMid", "defer"}) {
+  for (const char* text :
+       {"", "meet", "xMid", "YMidxMid", "xMidYMidd", "slice xMidYMid", "defer"}) {
     EXPECT_EQ(parse_aspect_ratio(text), std::nullopt) << text;
   }
 }
