@@ -27,7 +27,7 @@ constexpr double kMeanRun = 8;  // feature sizes
 
 // The longest run: a share of the example, but not less than so many feature sizes.
 constexpr double kLongestRun = 0.2;
-constexpr double kLeastLongestRun = 4;
+constexpr double kLeastLongestRun = 2.5;
 constexpr double kRepeatFactor = 0.25;  // for each time that a place was used before on the line
 
 constexpr double kMostSteps = 1 << 20;
