@@ -115,6 +115,15 @@ TEST(CurveSynthesis, TurnsWithTheExample) {
   EXPECT_LT(farthest(a, b, turn), 1e-7);
 }
 
+// An arc of any length makes the whole circle, round and round.
+TEST(CurveSynthesis, TurnedPiecesGoOnInTheDirectionOfTheLast) {
+  const Polyline example = arc({0, 0}, 50, 0, 3, 300);
+  for_each_seed(5, [&](std::uint64_t seed) {
+    const Polyline curve = synthesize(example, with_seed(seed, Invariance::kRotate), 1000).curve;
+    for (const double turn : turning_angles(curve, 1)) EXPECT_LT(std::abs(turn), 0.2);
+  });
+}
+
 TEST(CurveSynthesis, FollowsTheScale) {
   const Polyline example = coast();
   CurveAnalogyParameters large = with_seed(7);

@@ -114,8 +114,8 @@ TEST(Crowding, VectorPicturesTakeAnyNumber) {
 TEST(Crowding, AStrokeHasTwoEdges) {
   Style stroke;
   stroke.stroke = kBlack;
-  const Path path = scribble(200'000);
-  EXPECT_LT(pairs(path), kMostEdgePairs);
+  const Path path = scribble(150'000);
+  EXPECT_LT(2 * pairs(path), kMostEdgePairs);
   EXPECT_THROW(draw_png(page_with(path, stroke)), Error);
 }
 
