@@ -47,7 +47,8 @@ class PlacedRuns {
     double right_share = 0;
   };
 
-  // `closed`: the last run leads on to the first, which `runs` then lie around of on both sides.
+  // `closed`: the last run leads on to the first, so it also lies before it, and the first after
+  // it.
   PlacedRuns(const Example& example, std::span<const ChainRun> runs, std::size_t steps,
              bool closed);
 
