@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMostSteps = 1 << 20;
 
-// Found by trial on four coasts, four rivers, loops and waves, 24 seeds each, twice the length of
+// Found by trial on three coasts, four rivers, loops and waves, 24 seeds each, twice the length of
 // the example: median runs of 2 to 9 % of the example, none degenerate, coverage 0.7 to 1, turning
 // angles nearer to the example's than its halves are to each other. Larger features leave too few
 // states to choose from where a coast has no size of its own; milder factors let rivers walk in a
