@@ -210,6 +210,13 @@ TEST(Text, HasTheBoxOfAllItsPartsForGradients) {
   EXPECT_NEAR(reading.gradients()[0]->page_from_gradient.a, box_of_all(reading).width(), 0.001);
 }
 
+TEST(Text, HasOneBoxForGradientsWhenItIsTurnedToo) {
+  const Reading reading = read("<linearGradient id='g'><stop stop-color='red'/></linearGradient>" +
+                               text("l<tspan>ll</tspan>", "fill='url(#g)' transform='rotate(30)'"));
+  EXPECT_EQ(reading.paths().size(), 2U);
+  EXPECT_EQ(reading.gradients().size(), 1U);
+}
+
 TEST(Text, KeepsWhatIsHiddenAsHidden) {
   EXPECT_TRUE(read(text("a", "visibility='hidden'")).path().style.hidden);
   EXPECT_TRUE(read(text("a", "display='none'")).path().style.hidden);
