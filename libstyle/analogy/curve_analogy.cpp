@@ -132,8 +132,7 @@ class CurveAnalogy::Implementation {
     if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
   }
 
-  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held,
-                   std::uint64_t variant) const;
+  StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
   const Example& example() const { return example_; }
   double longest_curve() const { return kMostSteps * example_.step(); }
@@ -161,9 +160,7 @@ class CurveAnalogy::Implementation {
   std::optional<LineSearch> search_;
 };
 
-StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint64_t place,
-                                               std::span<const double> held,
-                                               std::uint64_t variant) const {
+StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const CurveTask& task) const {
   for (const Point p : curve.points) {
     if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
   }
@@ -177,15 +174,15 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, std::uint6
       split_into_lines(curve, corner_angle, kCornerReach * example_.feature_along());
   if (lines.empty()) return unchanged(curve);
 
-  const RandomStream random(parameters_.seed + variant, place);
+  const RandomStream random(parameters_.seed + task.variant, task.place);
   const double curve_length = arc_length(curve);
   StyledCurve result;
   result.curve.closed = curve.closed;
   double total = 0, scaled = 0;
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
-    DrawnPart drawn = draw_line(lines[part].line, lengths_on(lines[part], curve_length, held),
-                                random, part, variant);
+    DrawnPart drawn = draw_line(lines[part].line, lengths_on(lines[part], curve_length, task.held),
+                                random, part, task.variant);
     const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
     if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
     const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
@@ -291,9 +288,8 @@ CurveAnalogy::~CurveAnalogy() = default;
 CurveAnalogy::CurveAnalogy(CurveAnalogy&&) noexcept = default;
 CurveAnalogy& CurveAnalogy::operator=(CurveAnalogy&&) noexcept = default;
 
-StyledCurve CurveAnalogy::draw(const Polyline& curve, std::uint64_t place,
-                               std::span<const double> held, std::uint64_t variant) const {
-  return implementation_->draw(curve, place, held, variant);
+StyledCurve CurveAnalogy::draw(const Polyline& curve, const CurveTask& task) const {
+  return implementation_->draw(curve, task);
 }
 
 double CurveAnalogy::longest_curve() const { return implementation_->longest_curve(); }
@@ -302,7 +298,7 @@ const Example& CurveAnalogy::example() const { return implementation_->example()
 
 StyledCurve draw_by_analogy(const ExamplePair& pair, const Polyline& curve,
                             const CurveAnalogyParameters& parameters) {
-  return CurveAnalogy({&pair, 1}, parameters).draw(curve, 0);
+  return CurveAnalogy({&pair, 1}, parameters).draw(curve, {});
 }
 
 }  // namespace libstyle

@@ -31,7 +31,7 @@
 // states (at most 2048), drawing O(length of B / F) times O(states).
 //
 //   const CurveAnalogy style(pairs, parameters);
-//   for (std::size_t i = 0; i < curves.size(); ++i) drawn[i] = style.draw(curves[i], i);
+//   for (std::size_t i = 0; i < curves.size(); ++i) drawn[i] = style.draw(curves[i], {i});
 #pragma once
 
 #include <cstddef>
@@ -58,6 +58,17 @@ struct StyledCurve {
   bool too_long = false;  // longer than longest_curve(): the curve is B itself
 };
 
+// What is asked of one curve besides its shape.
+struct CurveTask {
+  // Tells the curves of a drawing apart: equal curves with equal places come out alike.
+  std::uint64_t place = 0;
+  // Lengths along the curve, rising, at which it passes through its own place exactly, as it does
+  // at its ends, so that lines that meet it there still do. Not if keep_ends is false.
+  std::span<const double> held = {};
+  // Added to the seed.
+  std::uint64_t variant = 0;
+};
+
 class CurveAnalogy {
  public:
   // Throws Error when a parameter is out of range or an example cannot serve.
@@ -66,15 +77,9 @@ class CurveAnalogy {
   CurveAnalogy(CurveAnalogy&&) noexcept;
   CurveAnalogy& operator=(CurveAnalogy&&) noexcept;
 
-  // Draws one curve. `place` tells the curves of a drawing apart: equal curves with equal places
-  // come out alike. Curves without length, too small for the style at its smallest, or longer than
+  // Draws one curve. Curves without length, too small for the style at its smallest, or longer than
   // longest_curve() come back as they are. Safe to call from several threads.
-  //
-  // `held` are lengths along the curve, rising, at which it passes through its own place exactly,
-  // as it does at its ends, so that lines that meet it there still do. Not if keep_ends is false.
-  // `variant` is added to the seed.
-  StyledCurve draw(const Polyline& curve, std::uint64_t place, std::span<const double> held = {},
-                   std::uint64_t variant = 0) const;
+  StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
   // A million steps of the example: more would take hours, and hardly be what was meant.
   double longest_curve() const;

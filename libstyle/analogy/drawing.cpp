@@ -170,7 +170,7 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
     const StyledCurve drawn =
-        style.draw(flats[i].polyline, (place << 24) + i, flat.held[i], variant);
+        style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], variant});
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
     const SmoothCurve fresh =

@@ -93,7 +93,7 @@ TEST(CurveAnalogy, AnExampleThatChangesNothingGivesBackTheCurve) {
     parameters.shape_weight = shape_weight;
     const CurveAnalogy style({&pair, 1}, parameters);
     for (const Polyline& curve : {s_curve(), circle({0, 0}, 90, 200)}) {
-      const StyledCurve drawn = style.draw(curve, 0);
+      const StyledCurve drawn = style.draw(curve, {});
       for (const Point p : drawn.curve.points) EXPECT_LT(distance_from(curve, p), 0.01);
       EXPECT_NEAR(arc_length(drawn.curve), arc_length(curve), 0.01 * arc_length(curve));
     }
@@ -158,7 +158,7 @@ TEST(CurveAnalogy, OpenCurvesKeepTheirEndsExactly) {
   for_each_seed(20, [&](std::uint64_t seed) {
     RandomValues random(seed);
     const Polyline curve = random_stroke(random, 20 + random.below(400));
-    const StyledCurve drawn = style.draw(curve, seed);
+    const StyledCurve drawn = style.draw(curve, {seed});
     EXPECT_EQ(drawn.curve.points.front(), curve.points.front());
     EXPECT_EQ(drawn.curve.points.back(), curve.points.back());
   });
@@ -184,7 +184,7 @@ TEST(CurveAnalogy, PassesThroughHeldPlacesExactly) {
     const ArcLength along(curve);
     const double held[] = {0.04 * along.total(), 0.31 * along.total(), 0.78 * along.total()};
     for (std::uint64_t place = 0; place < 5; ++place) {
-      const StyledCurve drawn = style.draw(curve, place, held);
+      const StyledCurve drawn = style.draw(curve, {place, held});
       for (const double length : held) {
         EXPECT_LT(distance_from(drawn.curve, along.point_at(length)), 1e-6);
       }
@@ -199,7 +199,7 @@ TEST(CurveAnalogy, ClosedCurvesCloseWithoutASeam) {
     parameters.shape_weight = shape_weight;
     const CurveAnalogy style({&pair, 1}, parameters);
     for (std::uint64_t place = 0; place < 8; ++place) {
-      const StyledCurve drawn = style.draw(egg(), place);
+      const StyledCurve drawn = style.draw(egg(), {place});
       EXPECT_TRUE(drawn.curve.closed);
       const double gap = distance(drawn.curve.points.back(), drawn.curve.points.front());
       const double mean = arc_length(drawn.curve) / static_cast<double>(drawn.curve.points.size());
@@ -214,7 +214,7 @@ TEST(CurveAnalogy, BendsLikeTheExample) {
   const ExamplePair pair = wavy_pair();
   const CurveAnalogy style({&pair, 1}, {});
   for_each_seed(20, [&](std::uint64_t seed) {
-    const StyledCurve drawn = style.draw(s_curve(), seed);
+    const StyledCurve drawn = style.draw(s_curve(), {seed});
     const double spacing = arc_length(pair.filtered.polyline) / 1200;
     EXPECT_LT(turning_distance(pair.filtered.polyline, drawn.curve, spacing), 0.05);
   });
@@ -263,7 +263,7 @@ TEST(CurveAnalogy, NoRunIsAQuarterOfTheExample) {
     CurveAnalogyParameters parameters;
     parameters.seed = seed;
     const CurveAnalogy style({&pair, 1}, parameters);
-    for (const ChainRun& run : style.draw(line, 0).runs) {
+    for (const ChainRun& run : style.draw(line, {}).runs) {
       EXPECT_LT(4 * run.steps, style.example().state_count());
     }
   });
@@ -283,8 +283,8 @@ TEST(CurveAnalogy, TheSameSeedGivesTheSameBytesOnAnyNumberOfThreads) {
   const ExamplePair pair = wavy_pair();
   const CurveAnalogy style({&pair, 1}, {});
   std::vector<Polyline> first(12), second(12);
-  parallel_for(12, 1, [&](std::size_t i) { first[i] = style.draw(s_curve(), i).curve; });
-  parallel_for(12, 2, [&](std::size_t i) { second[i] = style.draw(s_curve(), i).curve; });
+  parallel_for(12, 1, [&](std::size_t i) { first[i] = style.draw(s_curve(), {i}).curve; });
+  parallel_for(12, 2, [&](std::size_t i) { second[i] = style.draw(s_curve(), {i}).curve; });
   EXPECT_EQ(first, second);
 }
 
@@ -292,9 +292,9 @@ TEST(CurveAnalogy, SeedsAndPlacesDiffer) {
   const ExamplePair pair = wavy_pair();
   CurveAnalogyParameters other;
   other.seed = 2;
-  const Polyline drawn = CurveAnalogy({&pair, 1}, {}).draw(s_curve(), 0).curve;
-  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, {}).draw(s_curve(), 1).curve);
-  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, other).draw(s_curve(), 0).curve);
+  const Polyline drawn = CurveAnalogy({&pair, 1}, {}).draw(s_curve(), {}).curve;
+  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, {}).draw(s_curve(), {1}).curve);
+  EXPECT_NE(drawn, CurveAnalogy({&pair, 1}, other).draw(s_curve(), {}).curve);
 }
 
 // ---- Curves and examples that are hardly any ------------------------------------------------
@@ -303,7 +303,7 @@ TEST(CurveAnalogy, DegenerateCurvesComeBackAsTheyAre) {
   const ExamplePair pair = wavy_pair();
   const CurveAnalogy style({&pair, 1}, {});
   for (const char* text : {"", "3 4", "3 4, 3 4", "3 4, 3 4, 3 4 z", "0 0, 0.001 0"}) {
-    EXPECT_EQ(style.draw(polyline(text), 0).curve, polyline(text)) << text;
+    EXPECT_EQ(style.draw(polyline(text), {}).curve, polyline(text)) << text;
   }
 }
 
@@ -311,7 +311,7 @@ TEST(CurveAnalogy, EndlessCurvesComeBackAsTheyAre) {
   const ExamplePair pair = wavy_pair();
   const CurveAnalogy style({&pair, 1}, {});
   for (const char* text : {"0 0, 1e9 0", "0 0, 1e200 0", "-1e308 0, 1e308 5, 0 0 z"}) {
-    const StyledCurve drawn = style.draw(polyline(text), 0);
+    const StyledCurve drawn = style.draw(polyline(text), {});
     EXPECT_EQ(drawn.curve, polyline(text)) << text;
     EXPECT_TRUE(drawn.too_long);
   }
@@ -326,7 +326,7 @@ TEST(CurveAnalogy, WildCurvesGiveFiniteResults) {
         random_scribble(random, 2 + random.below(30), std::pow(10, random.uniform(-2, 3)));
     if (random.chance(0.3)) curve.points.push_back(curve.points.back());
     curve.closed = random.chance(0.5);
-    const StyledCurve drawn = style.draw(curve, seed);
+    const StyledCurve drawn = style.draw(curve, {seed});
     EXPECT_EQ(drawn.curve.closed, curve.closed);
     EXPECT_EQ(drawn.lengths.size(), drawn.curve.points.size());
     EXPECT_TRUE(std::ranges::is_sorted(drawn.lengths));

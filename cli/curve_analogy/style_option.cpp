@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/style_option.h"
+#include "cli/curve_analogy/style_option.h"
 
 #include <optional>
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of curve-analogy, as they are given and as the library takes them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libstyle/analogy/parameters.h"
+
+namespace libstyle {
+
+struct Settings {
+  std::vector<std::string> inputs;
+  std::string output = "-";
+  std::string unfiltered;
+  std::string filtered;
+  std::vector<std::string> styles;
+  std::optional<double> variants;
+  std::string scale = "1";
+  std::optional<double> synthesize;
+  std::string invariance;  // empty: as the work at hand wants it
+  bool loose_ends = false;
+  std::string method = "chain";
+  bool faithful = false;
+  // Symbols of the paper; unset: as the method has them.
+  std::optional<double> levels, passes, neighborhood_samples, offset_weight, tangent_weight,
+      coarse_weight, coherence, epsilon, step;
+  int threads = 0;
+  CurveAnalogyParameters parameters;
+
+  bool is_greedy() const { return method == "greedy" || faithful; }
+  // How many documents are made of each; 1 if it is not said.
+  int variant_count() const;
+};
+
+// A factor; unset for "auto": as the drawing needs it. Throws UsageError.
+std::optional<double> parse_scale(std::string_view text);
+
+// The parameters with all that the options say, in range. Throws UsageError.
+CurveAnalogyParameters checked_parameters(const Settings& settings, std::optional<double> scale);
+
+// The name of one of several documents: what the outputs of `render -o '{name}.png'` are told
+// apart by. Numbers begin at 1.
+std::string variant_name(const std::string& name, int number);
+
+}  // namespace libstyle
