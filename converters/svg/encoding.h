@@ -14,6 +14,9 @@ namespace libstyle::svg {
 // U+FFFD with one warning. Throws Error for compressed data and for text with NUL characters.
 std::string to_utf8(std::string bytes, const std::string& file, const WarningHandler& warn);
 
+// Appends one character.
+void append_utf8(std::string& text, char32_t c);
+
 // `text` with U+FFFD for every byte that is part of no character.
 std::string repaired_utf8(std::string_view text);
 

@@ -2,10 +2,14 @@
 #include "converters/svg/entities.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
 #include <string_view>
+
+#include "converters/svg/encoding.h"
 
 namespace libstyle::svg {
 namespace {
@@ -70,9 +74,47 @@ class DeclarationReader {
   std::string_view rest_;
 };
 
+// To a character; longer ones have zeros in front. Looking further would make a file of "&#" slow.
+constexpr std::size_t kLongestReference = 32;
+
+bool is_xml_character(std::uint32_t code) {
+  return code > 0 && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+}
+
+// Removes "&#38;" or "&#x26;" from the front of `text` and appends the character. Says no, leaving
+// both alone, when there stands anything else.
+bool take_character_reference(std::string_view& text, std::string& value) {
+  const std::size_t end = text.substr(0, kLongestReference).find(';');
+  if (!text.starts_with("&#") || end == text.npos) return false;
+  std::string_view digits = text.substr(2, end - 2);
+  const int base = digits.starts_with('x') ? 16 : 10;
+  if (base == 16) digits.remove_prefix(1);
+  std::uint32_t code = 0;
+  const auto [rest, fault] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), code, base);
+  const bool whole = fault == std::errc() && rest == digits.data() + digits.size();
+  if (!whole || !is_xml_character(code)) return false;
+  append_utf8(value, code);
+  text.remove_prefix(end + 1);
+  return true;
+}
+
+// What is put in place of a reference to an entity: references to characters in its value count
+// where it is declared, those to entities where it stands (XML 1.0, sections 4.4 and 4.5).
+std::string replacement_text(std::string_view value) {
+  std::string text;
+  while (!value.empty()) {
+    if (take_character_reference(value, text)) continue;
+    const std::size_t plain = std::min(value.find('&', 1), value.size());
+    text += value.substr(0, plain);
+    value.remove_prefix(plain);
+  }
+  return text;
+}
+
 Entity make_entity(std::string_view value) {
   Entity entity;
-  for (const char c : value) {
+  for (const char c : replacement_text(value)) {
     const char plain = c == '\n' || c == '\r' ? ' ' : c;
     entity.value += plain;
     if (c == '"') {
@@ -86,12 +128,19 @@ Entity make_entity(std::string_view value) {
   return entity;
 }
 
+// A file may declare what XML has already, only not as anything else (section 4.6).
+bool is_predefined(std::string_view name) {
+  constexpr std::string_view kNames[] = {"lt", "gt", "amp", "apos", "quot"};
+  return std::ranges::find(kNames, name) != std::end(kNames);
+}
+
 // After "<!ENTITY". Parameter entities (%) serve only the declaration itself and are passed over.
 void read_entity(DeclarationReader& reader, EntityMap& entities) {
   reader.skip_space();
   const std::string name(reader.take_name());
   reader.skip_space();
   std::string_view value;
+  if (is_predefined(name)) return reader.skip_declaration();
   if (!name.empty() && reader.take_quoted(value)) {
     entities.try_emplace(name, make_entity(value));
   } else if (!name.empty()) {
@@ -209,9 +258,9 @@ class Expander {
     while (!text.empty()) {
       append_front(text, std::min(text.find('&'), text.size()));
       if (text.empty()) return;
-      const std::size_t end = text.find(';');
-      const auto entity =
-          end == text.npos ? entities_.end() : entities_.find(text.substr(1, end - 1));
+      const std::size_t end = text.find_first_of(";&", 1);
+      const bool named = end != text.npos && text[end] == ';';
+      const auto entity = named ? entities_.find(text.substr(1, end - 1)) : entities_.end();
       if (entity == entities_.end()) {
         append_front(text, 1);
         continue;

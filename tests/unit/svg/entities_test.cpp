@@ -35,6 +35,28 @@ TEST(Entities, CannotEndTheQuotesTheyStandIn) {
   EXPECT_EQ(expand("<!ENTITY q '\"'>", "<svg a=\"x&q;y\"/>"), "<svg a=\"x&quot;y\"/>");
 }
 
+// XML 1.0, appendix D: characters are put in when the entity is declared, and what that gives is
+// read where the entity stands.
+TEST(Entities, PutsInCharactersWhereTheEntityIsDeclared) {
+  EXPECT_EQ(expand("<!ENTITY x 'A&#38;#38;B'>", "<svg>&x;</svg>"), "<svg>A&#38;B</svg>");
+  EXPECT_EQ(expand("<!ENTITY x '&#60;g/&#x3e;&#xe9;'>", "<svg>&x;</svg>"), "<svg><g/>\u00e9</svg>");
+  EXPECT_EQ(expand("<!ENTITY c 'red'><!ENTITY x '&#38;c;'>", "<svg a='&x;'/>"), "<svg a='red'/>");
+  EXPECT_EQ(expand("<!ENTITY q '&#34;'>", "<svg a=\"&q;\"/>"), "<svg a=\"&quot;\"/>");
+}
+
+TEST(Entities, LeavesWrongReferencesToCharactersAlone) {
+  for (const std::string wrong :
+       {"&#;", "&#x;", "&#0;", "&#xD800;", "&#x110000;", "&#-1;", "&#3"}) {
+    EXPECT_EQ(expand("<!ENTITY x '" + wrong + "'>", "<svg>&x;</svg>"), "<svg>" + wrong + "</svg>");
+  }
+}
+
+TEST(Entities, LeavesThoseOfXmlAsTheyAre) {
+  EXPECT_EQ(
+      expand("<!ENTITY lt '&#38;#60;'><!ENTITY amp '?'><!ENTITY x 'y'>", "<svg>&lt;&amp;</svg>"),
+      "<svg>&lt;&amp;</svg>");
+}
+
 TEST(Entities, KeepsTheFirstOfTwoDeclarations) {
   EXPECT_EQ(expand("<!ENTITY c 'one'><!ENTITY c 'two'>", "<svg>&c;</svg>"), "<svg>one</svg>");
 }
