@@ -95,6 +95,12 @@ bool has_language(pugi::xml_node element, const std::vector<std::string>& ranges
   return false;
 }
 
+// No link has been followed, so each is one (:link) and none is another (:visited).
+bool is_link(pugi::xml_node element) {
+  const bool leads = element.attribute("href") || element.attribute("xlink:href");
+  return leads && std::string_view(element.name()) == "a";
+}
+
 bool holds(const CompoundSelector& compound, pugi::xml_node element, std::size_t& steps_left);
 
 bool holds(const PseudoClass& pseudo, pugi::xml_node element, std::size_t& steps_left) {
@@ -108,6 +114,8 @@ bool holds(const PseudoClass& pseudo, pugi::xml_node element, std::size_t& steps
       return !element.first_child();
     case Kind::kLanguage:
       return has_language(element, pseudo.languages);
+    case Kind::kLink:
+      return is_link(element);
     case Kind::kNot:
       return std::ranges::none_of(pseudo.arguments, [&](const CompoundSelector& argument) {
         return holds(argument, element, steps_left);

@@ -29,7 +29,7 @@ struct AttributeTest {
 struct CompoundSelector;
 
 struct PseudoClass {
-  enum class Kind : std::uint8_t { kPlace, kRoot, kEmpty, kLanguage, kNot, kNever };
+  enum class Kind : std::uint8_t { kPlace, kRoot, kEmpty, kLanguage, kLink, kNot, kNever };
 
   Kind kind = Kind::kNever;
   // Of kPlace, counted from 1: step n + offset for some n >= 0.

@@ -141,6 +141,8 @@ class SelectorParser {
       pseudo.kind = Kind::kRoot;
     } else if (name == "empty") {
       pseudo.kind = Kind::kEmpty;
+    } else if (name == "link") {
+      pseudo.kind = Kind::kLink;
     } else if (name == "lang") {
       pseudo.kind = Kind::kLanguage;
       return parse_languages(pseudo.languages);
@@ -178,8 +180,8 @@ class SelectorParser {
   }
 
   static bool is_never(std::string_view name) {
-    constexpr std::string_view kNames[] = {"link",  "any-link", "visited", "hover",
-                                           "focus", "active",   "target"};
+    constexpr std::string_view kNames[] = {"any-link", "visited", "hover",
+                                           "focus",    "active",  "target"};
     return std::ranges::find(kNames, name) != std::end(kNames);
   }
 

@@ -11,10 +11,10 @@ constexpr const char* kTree = R"(<svg id="root" class="top">
   <g id="g2" xml:lang="de-at"><g id="g3"><rect id="r3" class="a"/></g></g><path id="p1" title="one two"/>
 </svg>)";
 
-// The ids of all elements of the tree above that match, in its order.
-std::string matching(std::string_view selectors) {
+// The ids of all elements of the tree that match, in its order.
+std::string matching(std::string_view selectors, const char* text = kTree) {
   pugi::xml_document tree;
-  tree.load_string(kTree);
+  tree.load_string(text);
   const auto parsed = parse_selector_list(selectors);
   if (!parsed) return "not understood";
   std::string ids;
@@ -98,6 +98,14 @@ TEST(Selector, MatchesLanguages) {
 TEST(Selector, MatchesWhatIsNot) {
   EXPECT_EQ(matching("rect:not(.b)"), "r2 r3");
   EXPECT_EQ(matching("rect:not(.b, #r3)"), "r2");
+}
+
+TEST(Selector, MatchesLinks) {
+  constexpr const char* kLinks = R"(<svg id="root" href="x"><a id="a1" href=""/><a id="a2"/>
+    <a id="a3" xlink:href="y"/></svg>)";
+  EXPECT_EQ(matching(":link", kLinks), "a1 a3");
+  EXPECT_EQ(matching("a:not(:link)", kLinks), "a2");
+  EXPECT_EQ(matching("a:visited", kLinks), "");
 }
 
 TEST(Selector, NeverMatchesWhatTheReaderDoes) {
