@@ -142,6 +142,7 @@ pugi::xml_node Markers::marker_for(MarkerPlace place, const ComputedStyle& style
 }
 
 void Markers::draw_one(pugi::xml_node marker, const MarkerVertex& vertex, const Scope& scope) {
+  count_used(drawing_, marker);
   Scope inside;
   inside.style = style_in_place(marker, drawing_.index.sheets());
   const MarkerAttributes attributes = read_attributes(marker);

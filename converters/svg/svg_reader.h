@@ -35,7 +35,7 @@ namespace libstyle::svg {
 
 struct SvgLimits {
   XmlLimits xml;
-  // Elements drawn by way of `use`: a small file can ask for any number.
+  // Elements gone through by way of `use`, drawn or not: a small file can ask for any number.
   std::size_t used_elements = 500'000;
   // Elements looked at to match style sheets; a few seconds.
   std::size_t match_steps = 30'000'000;

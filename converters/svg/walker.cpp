@@ -15,6 +15,17 @@ namespace {
 // Elements within elements where `use` and markers count too: at most 3 MB of stack.
 constexpr std::size_t kDepthLimit = 1200;
 
+// An element with more in its attributes, which are read each time, counts as several.
+constexpr std::size_t kElementBytes = 4096;
+
+std::size_t attribute_bytes(pugi::xml_node node) {
+  std::size_t bytes = 0;
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    bytes += std::string_view(attribute.value()).size();
+  }
+  return bytes;
+}
+
 bool is_finite(const Path& path, const Transform& map) {
   return std::ranges::all_of(path.points(), [&](Point p) { return libstyle::is_finite(map(p)); });
 }
@@ -56,10 +67,18 @@ pugi::xml_node own_characters(pugi::xml_node element) { return element.find_chil
 
 }  // namespace
 
+void count_used(Drawing& drawing, pugi::xml_node node) {
+  drawing.used_elements += 1 + attribute_bytes(node) / kElementBytes;
+  if (drawing.used_elements <= drawing.limits.used_elements) return;
+  throw Error(drawing.file.place(node),
+              "use draws more than " + std::to_string(drawing.limits.used_elements) + " elements");
+}
+
 // --- Structure ----------------------------------------------------------------------------------
 
 void Walker::draw_children(pugi::xml_node element, const Scope& scope) {
   for (const pugi::xml_node child : element.children()) {
+    count_node(child);
     if (child.type() == pugi::node_element) draw(child, scope);
   }
 }
@@ -71,7 +90,7 @@ void Walker::draw(pugi::xml_node element, const Scope& parent) {
     return;
   }
   Scope scope = enter(element, parent);
-  count_element(element, scope);
+  check_depth(element, scope);
   switch (kind) {
     case ElementKind::kGroup:
       return draw_group(element, scope);
@@ -110,6 +129,7 @@ void Walker::draw_group(pugi::xml_node element, Scope& scope) {
 void Walker::draw_switch(pugi::xml_node element, Scope& scope) {
   if (!canvas_.open_group(element, scope, std::nullopt)) return;
   for (const pugi::xml_node child : element.children()) {
+    count_node(child);
     if (child.type() == pugi::node_element && conditions_hold(child)) return draw(child, scope);
   }
 }
@@ -149,6 +169,7 @@ void Walker::draw_use(pugi::xml_node element, Scope& scope) {
   if (is_symbol) {
     draw_symbol(target, element, scope, *viewport);
   } else {
+    count_node(target);
     draw(target, scope);
   }
   targets_.pop_back();
@@ -181,7 +202,8 @@ std::optional<Rectangle> Walker::read_use_viewport(pugi::xml_node use, const Sco
 void Walker::draw_symbol(pugi::xml_node symbol, pugi::xml_node use, const Scope& scope,
                          const Rectangle& viewport) {
   Scope inner = enter(symbol, scope);
-  count_element(use, inner);
+  check_depth(use, inner);
+  count_node(symbol);
   inner.page_from_user = scope.page_from_user;
   inner.style.display = Display::kInline;
   draw_viewport(symbol, inner, viewport,
@@ -287,15 +309,15 @@ void Walker::draw_text_part(const TextContent& text, std::size_t part, std::span
 
 // --- Limits -------------------------------------------------------------------------------------
 
-void Walker::count_element(pugi::xml_node element, const Scope& scope) {
-  if (scope.depth > kDepthLimit) {
-    throw Error(drawing_.file.place(element),
-                "use draws elements deeper than " + std::to_string(kDepthLimit) + " levels");
-  }
-  const bool counted = kind_ == WalkKind::kRepeated || !targets_.empty();
-  if (!counted || ++drawing_.used_elements <= drawing_.limits.used_elements) return;
+void Walker::check_depth(pugi::xml_node element, const Scope& scope) const {
+  if (scope.depth <= kDepthLimit) return;
   throw Error(drawing_.file.place(element),
-              "use draws more than " + std::to_string(drawing_.limits.used_elements) + " elements");
+              "use draws elements deeper than " + std::to_string(kDepthLimit) + " levels");
+}
+
+// What is passed over counts too: it takes its time each time.
+void Walker::count_node(pugi::xml_node node) {
+  if (kind_ == WalkKind::kRepeated || !targets_.empty()) count_used(drawing_, node);
 }
 
 void Walker::count_points(pugi::xml_node element, const Path& path) {

@@ -26,6 +26,9 @@ struct Drawing {
   std::size_t text_work = 0;
 };
 
+// Counts a node that is gone through again. Throws Error when that passes the limit.
+void count_used(Drawing& drawing, pugi::xml_node node);
+
 // Whether a walk is the one that draws the file, or goes through a part of it once more; what is
 // gone through again counts against the limit of elements that are used.
 enum class WalkKind : std::uint8_t { kFirst, kRepeated };
@@ -56,7 +59,8 @@ class Walker {
   void draw_outline(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope);
 
   Scope enter(pugi::xml_node element, const Scope& parent) const;
-  void count_element(pugi::xml_node element, const Scope& scope);
+  void check_depth(pugi::xml_node element, const Scope& scope) const;
+  void count_node(pugi::xml_node node);
   void count_points(pugi::xml_node element, const Path& path);
 
   Drawing& drawing_;

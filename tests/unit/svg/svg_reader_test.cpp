@@ -358,6 +358,20 @@ TEST(SvgReader, RefusesUsesWithoutEnd) {
               HasSubstr("use draws more than 10000 elements"));
 }
 
+// What is never drawn takes its time each time it is passed over.
+TEST(SvgReader, RefusesUsesOfWhatIsNotDrawnWithoutEnd) {
+  std::string text = "<svg><g id='a'>", uses;
+  for (int i = 0; i < 200; ++i) text += "<desc/>";
+  for (int i = 0; i < 200; ++i) uses += "<use href='#a'/>";
+  SvgReadOptions options;
+  options.limits.used_elements = 10'000;
+  EXPECT_THAT(read_error(text + "</g>" + uses + "</svg>", options),
+              HasSubstr("use draws more than 10000 elements"));
+  const std::string attribute(1'000'000, ' ');
+  EXPECT_THAT(read_error("<svg><path id='a' d='" + attribute + "'/>" + uses + "</svg>", options),
+              HasSubstr("use draws more than 10000 elements"));
+}
+
 TEST(SvgReader, RefusesUsesThatNestWithoutEnd) {
   std::string text = "<svg><defs><path id='l0' d='M0 0H1'/>";
   for (int level = 1; level <= 5000; ++level) {
