@@ -20,8 +20,9 @@ struct Scope {
   ComputedStyle style;  // of the element itself
   PaintContext paint_context;
   Transform page_from_user;
-  Vector viewport;    // size of the nearest viewport, in its own units
-  std::string group;  // id of the record that members are in
+  Vector viewport;        // size of the nearest viewport, in its own units
+  std::string group;      // id of the record that members are in
+  std::string path_clip;  // id of a clip that the one path within takes over
   std::size_t depth = 0;
   std::optional<Box> bounds;  // of the text that this is a part of: what "objectBoundingBox" means
 };

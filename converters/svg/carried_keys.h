@@ -21,6 +21,13 @@ inline constexpr const char* kCarriedKeys = "curves:keys";
 inline constexpr const char* kCarriedId = "curves:id";
 inline constexpr const char* kCarriedGeometry = "curves:geometry";  // of a gradient
 inline constexpr const char* kCarriedRecords = "curves:records";
+// The viewBox of a page without a size: as long as it stands there, the page has none.
+inline constexpr const char* kCarriedBox = "curves:box";
+// Path data and a transform on the page (pen_space.h).
+inline constexpr const char* kCarriedPath = "curves:d";
+inline constexpr const char* kCarriedTransform = "curves:transform";
+// "path": a group that is there only to clip the path within.
+inline constexpr const char* kCarriedFor = "curves:for";
 
 // The id of a record that has another one in XML, or none; empty when there is nothing to carry.
 // What a program called "~1" and nothing refers to needs no name.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "converters/svg/carried_keys.h"
+#include "converters/svg/pen_space.h"
 #include "converters/svg/style_attributes.h"
 #include "libstyle/curves/json_text.h"
 #include "libstyle/geometry/path_data.h"
@@ -46,6 +47,19 @@ void write_stop(XmlWriter& xml, const GradientStop& stop) {
   xml.end();
 }
 
+void write_transform(XmlWriter& xml, const Transform& page_from_gradient,
+                     const std::optional<Transform>& page_from_pen) {
+  const Transform user_from_gradient =
+      page_from_pen ? to_pen_space(page_from_gradient, *page_from_pen).value_or(Transform{})
+                    : page_from_gradient;
+  if (user_from_gradient != Transform{}) {
+    xml.attribute("gradientTransform", to_matrix(user_from_gradient));
+  }
+  if (page_from_pen && to_page(user_from_gradient, *page_from_pen, "") != page_from_gradient) {
+    xml.attribute(kCarriedTransform, to_matrix(page_from_gradient));
+  }
+}
+
 template <typename Record>
 void write_carried(XmlWriter& xml, const Record& record) {
   const std::string carried = carried_keys(record);
@@ -55,17 +69,14 @@ void write_carried(XmlWriter& xml, const Record& record) {
 }  // namespace
 
 void write_gradient(XmlWriter& xml, const GradientRecord& gradient, std::string_view id,
-                    const Transform& user_from_page) {
+                    const std::optional<Transform>& page_from_pen) {
   const bool linear = std::holds_alternative<LinearGeometry>(gradient.geometry);
   xml.begin(linear ? "linearGradient" : "radialGradient");
   write_id(xml, gradient, id);
   write_notes(xml, gradient);
   xml.attribute("gradientUnits", "userSpaceOnUse");
   std::visit([&](const auto& geometry) { write_geometry(xml, geometry); }, gradient.geometry);
-  const Transform user_from_gradient = user_from_page * gradient.page_from_gradient;
-  if (user_from_gradient != Transform{}) {
-    xml.attribute("gradientTransform", to_matrix(user_from_gradient));
-  }
+  write_transform(xml, gradient.page_from_gradient, page_from_pen);
   if (gradient.spread != Spread::kPad) {
     xml.attribute("spreadMethod", kSpreads[static_cast<std::size_t>(gradient.spread)]);
   }

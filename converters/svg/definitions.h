@@ -2,6 +2,7 @@
 // Gradients and clips as elements that paths refer to.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,9 +12,9 @@
 
 namespace libstyle::svg {
 
-// `user_from_page` is for users with a transform of their own.
+// For users on the page, or in the space of a pen that it can be brought to (pen_space.h).
 void write_gradient(XmlWriter& xml, const GradientRecord& gradient, std::string_view id,
-                    const Transform& user_from_page);
+                    const std::optional<Transform>& page_from_pen);
 
 void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, const RecordIds& ids);
 

@@ -33,6 +33,13 @@ std::string text_of(pugi::xml_attribute attribute) {
   return repaired_utf8(trimmed(attribute.value()));
 }
 
+// The id that an earlier document had, if the element still carries it; else that of the element.
+std::string wanted_id(pugi::xml_node element) {
+  std::string given = text_of(element.attribute("id"));
+  std::string carried = text_of(element.attribute(kCarriedId));
+  return !carried.empty() && fits_carried_id(carried, given) ? carried : given;
+}
+
 }  // namespace
 
 std::string OutputIds::make(std::string_view wanted) {
@@ -45,12 +52,10 @@ std::string OutputIds::make(std::string_view wanted) {
   }
 }
 
-// The id that an earlier document had, if the element still carries it; else a new one.
 std::string DocumentBuilder::make_id(pugi::xml_node element) {
-  const std::string wanted = text_of(element.attribute("id"));
-  std::string carried = text_of(element.attribute(kCarriedId));
-  if (!carried.empty() && fits_carried_id(carried, wanted) && ids_.keep(carried)) return carried;
-  return ids_.make(wanted);
+  const std::string given = text_of(element.attribute("id"));
+  std::string wanted = wanted_id(element);
+  return wanted != given && ids_.keep(wanted) ? wanted : ids_.make(given);
 }
 
 void DocumentBuilder::add_carried_records(pugi::xml_node root) {
@@ -104,7 +109,6 @@ void DocumentBuilder::add_path(pugi::xml_node element, PathRecord path, const st
 
 std::string DocumentBuilder::add_gradient(pugi::xml_node element, GradientRecord gradient) {
   describe(gradient, element);
-  gradient.id = make_id(element);
   const std::string_view carried = element.attribute(kCarriedKeys).value();
   if (!carried.empty()) warn_unless(restore_carried_keys(carried, gradient), element);
   if (const pugi::xml_attribute geometry = element.attribute(kCarriedGeometry)) {
@@ -113,9 +117,20 @@ std::string DocumentBuilder::add_gradient(pugi::xml_node element, GradientRecord
     };
     warn_unless(std::visit(restore, gradient.geometry), element);
   }
+  gradient.id = wanted_id(element);
+  if (has_gradient(gradient)) return gradient.id;
+  gradient.id = make_id(element);
   std::string id = gradient.id;
+  gradients_.emplace(id, document_.records.size());
   document_.records.emplace_back(std::move(gradient));
   return id;
+}
+
+// What stands in SVG once for the page and once for each pen is one.
+bool DocumentBuilder::has_gradient(const GradientRecord& gradient) const {
+  const auto found = gradients_.find(gradient.id);
+  return found != gradients_.end() &&
+         std::get<GradientRecord>(document_.records[found->second]) == gradient;
 }
 
 std::string DocumentBuilder::add_clip(pugi::xml_node element, std::vector<ClipPart> parts,

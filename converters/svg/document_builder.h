@@ -53,7 +53,7 @@ class DocumentBuilder {
   // Adds a path for an element, with the element's id and notes.
   void add_path(pugi::xml_node element, PathRecord path, const std::string& parent);
 
-  // Adds a gradient for an element and returns its id.
+  // Adds a gradient for an element, unless the one of its id is the same, and returns its id.
   std::string add_gradient(pugi::xml_node element, GradientRecord gradient);
 
   // Adds a clip and returns its id. `element` may be null.
@@ -62,6 +62,7 @@ class DocumentBuilder {
 
  private:
   std::string make_id(pugi::xml_node element);
+  bool has_gradient(const GradientRecord& gradient) const;
   void describe(RecordBase& record, pugi::xml_node element) const;
   void warn_unless(bool restored, pugi::xml_node element);
 
@@ -69,6 +70,7 @@ class DocumentBuilder {
   Reporter& reporter_;
   Document& document_;
   OutputIds ids_;
+  std::map<std::string, std::size_t> gradients_;  // places of their records, by id
 };
 
 }  // namespace libstyle::svg

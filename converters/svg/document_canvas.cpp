@@ -2,10 +2,14 @@
 #include "converters/svg/document_canvas.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "converters/svg/bounds_canvas.h"
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/element_path.h"
+#include "converters/svg/pen_space.h"
 #include "converters/svg/shape_element.h"
 #include "converters/svg/shapes.h"
 #include "libstyle/geometry/path_segments.h"
@@ -19,6 +23,28 @@ std::string_view shape_name(ElementKind kind, pugi::xml_node element) {
 }
 
 bool is_outermost(pugi::xml_node element) { return element.parent().type() == pugi::node_document; }
+
+bool is_plain(const GroupLook& look) {
+  return look.opacity == 1 && look.blend_mode == BlendMode::kNormal && !look.hidden;
+}
+
+// Whether a group is there only to clip a path that is in a space of its own (svg_writer.cpp), and
+// nobody has made more of it since.
+bool is_for_its_path(pugi::xml_node group) {
+  if (std::string_view(group.attribute(kCarriedFor).value()) != "path") return false;
+  const auto is_clip = [](pugi::xml_attribute attribute) {
+    const std::string_view name = attribute.name();
+    return name == kCarriedFor || name == "clip-path";
+  };
+  const auto is_path_or_definition = [](pugi::xml_node child) {
+    const std::string_view name = child.name();
+    return child.type() != pugi::node_element || name == "path" || name == "defs";
+  };
+  const auto paths = group.children("path");
+  return std::ranges::all_of(group.attributes(), is_clip) &&
+         std::ranges::all_of(group.children(), is_path_or_definition) &&
+         std::distance(paths.begin(), paths.end()) == 1;
+}
 
 }  // namespace
 
@@ -35,9 +61,12 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
     return scope.bounds ? *scope.bounds : measure_members(drawing_, element, scope);
   });
   if (viewport) look.clip = add_viewport_clip(*viewport, look.clip, scope);
-  const bool plain = look.opacity == 1 && look.blend_mode == BlendMode::kNormal && !look.hidden &&
-                     look.clip.empty();
-  if (!plain || !is_outermost(element)) {
+  if (is_plain(look) && !look.isolated && is_for_its_path(element)) {
+    scope.path_clip = look.clip;
+    return true;
+  }
+  const bool says_nothing = is_plain(look) && look.clip.empty();
+  if (!says_nothing || !is_outermost(element)) {
     scope.group = builder_.add_group(element, look, scope.group);
   }
   return true;
@@ -63,8 +92,8 @@ void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path pa
                                         {path, scope.bounds, scope.page_from_user, context});
   const bool marked = markers_.any(kind, scope.style);
   const Path user_path = marked ? path : Path();
-  record.path = std::move(path);
-  record.path.transform(scope.page_from_user);
+  record.path =
+      to_page(std::move(path), scope.page_from_user, element.attribute(kCarriedPath).value());
   record.shape = shape_name(kind, element);
   settle_shape(record.shape, record.path);
   const std::string group = group_around(record, scope, marked);
@@ -96,16 +125,22 @@ void DocumentCanvas::add_path_and_markers(pugi::xml_node element, PathRecord rec
   if (after_fill && after_stroke) draw_markers();
 }
 
-// Opacity and clip of a path are also those of its markers: a group takes them over. Only groups
-// have blend modes.
+// A clip that the path takes over stands around its own. Opacity and clip of a path are also those
+// of its markers: a group takes them over. Only groups have blend modes.
 std::string DocumentCanvas::group_around(PathRecord& path, const Scope& scope, bool marked) {
+  std::string outer = scope.group;
+  if (path.clip.empty()) {
+    path.clip = scope.path_clip;
+  } else {
+    outer = builder_.add_group({}, {.clip = scope.path_clip}, outer);
+  }
   GroupLook look;
   look.blend_mode = scope.style.blend_mode;
   if (marked) {
     look.opacity = std::exchange(path.style.opacity, 1);
     look.clip = std::exchange(path.clip, "");
   }
-  return builder_.add_group({}, look, scope.group);
+  return builder_.add_group({}, look, outer);
 }
 
 void DocumentCanvas::warn_not_carried(pugi::xml_node element, const ComputedStyle& style) {

@@ -125,6 +125,7 @@ std::optional<GradientDefinition> read_gradient(pugi::xml_node element, const Fi
   definition.in_bounding_box = chain.find("gradientUnits", parse_units).value_or(true);
   definition.transform =
       chain.find("gradientTransform", parse_transform_attribute).value_or(Transform{});
+  definition.carried_transform = element.attribute(kCarriedTransform).value();
   definition.spread = chain.find("spreadMethod", parse_spread).value_or(Spread::kPad);
   read_geometry(chain, definition);
   for (const pugi::xml_node gradient : elements) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <pugixml.hpp>
+#include <string_view>
 #include <vector>
 
 #include "converters/svg/file_index.h"
@@ -17,6 +18,7 @@ struct GradientDefinition {
   bool radial = false;
   bool in_bounding_box = true;  // gradientUnits
   Transform transform;
+  std::string_view carried_transform;  // of the element itself; see pen_space.h
   Spread spread = Spread::kPad;
   // Of a linear gradient: start and end. Of a radial one: center and focus, and the two radii.
   Length x1, y1, x2, y2;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "converters/svg/pen_space.h"
 #include "libstyle/geometry/path_segments.h"
 
 namespace libstyle::svg {
@@ -107,7 +108,8 @@ std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape
     page_from_units = page_from_units * box_transform(*box);
   }
   GradientRecord record;
-  record.page_from_gradient = page_from_units * definition->transform;
+  record.page_from_gradient =
+      to_page(definition->transform, page_from_units, definition->carried_transform);
   record.geometry = resolve_geometry(*definition, shape.context);
   if (!is_finite(numbers_of(record)) || !inverse(record.page_from_gradient)) return std::nullopt;
   if (definition->stops.empty()) return NoPaint{};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/svg/page.h"
 
+#include <string_view>
+
+#include "converters/svg/carried_keys.h"
 #include "converters/svg/scanner.h"
 #include "converters/svg/view_box.h"
 
@@ -44,12 +47,20 @@ void set_size(Page& page, const ComputedStyle& style, const std::optional<Rectan
   }
 }
 
+// Whether the viewBox is only what curves2svg shows of a page without a size.
+bool has_no_page(pugi::xml_node root, const ComputedStyle& style) {
+  const pugi::xml_attribute shown = root.attribute(kCarriedBox);
+  return shown && std::string_view(root.attribute("viewBox").value()) == shown.value() &&
+         !style.width && !style.height;
+}
+
 }  // namespace
 
 Page read_page(pugi::xml_node root, const ComputedStyle& style) {
   Page page;
   const std::optional<View> view = read_view(root);
-  const std::optional<Rectangle> view_box = view ? view->view_box : std::nullopt;
+  const bool boxed = view && !has_no_page(root, style);
+  const std::optional<Rectangle> view_box = boxed ? view->view_box : std::nullopt;
   set_size(page, style, view_box);
   if (page.width) page.width_text = paper_size(root.attribute("width").value());
   if (page.height) page.height_text = paper_size(root.attribute("height").value());

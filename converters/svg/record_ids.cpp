@@ -107,6 +107,12 @@ void RecordIds::assign_made(const Document& document) {
   }
 }
 
+std::string RecordIds::make_another(const Record& record) {
+  const RecordBase* base = base_of(record);
+  const std::string wanted = base ? wanted_id(record, *base) : "";
+  return make_unique(wanted.empty() ? std::string(type_of(record)) : wanted);
+}
+
 // "chair~2" is "chair-2", if that is free.
 std::string RecordIds::make_numbered(const Record& record, const RecordBase& base,
                                      const std::string& wanted) {
@@ -119,6 +125,7 @@ std::string RecordIds::make_numbered(const Record& record, const RecordBase& bas
   return make_unique(wanted);
 }
 
+// The stem and a number.
 std::string RecordIds::make_unique(const std::string& stem) {
   for (;;) {
     std::string id = stem + '-' + std::to_string(++counts_[stem]);

@@ -34,14 +34,15 @@ class RecordIds {
   static constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
   std::size_t place(std::string_view record_id) const;
 
-  // An id that nothing has had yet: the stem and a number.
-  std::string make_unique(const std::string& stem);
+  // An id that nothing has had yet, for a record that stands once more.
+  std::string make_another(const Record& record);
 
  private:
   void assign_given(const Document& document);
   void assign_made(const Document& document);
   std::string make_numbered(const Record& record, const RecordBase& base,
                             const std::string& wanted);
+  std::string make_unique(const std::string& stem);
 
   std::vector<std::string> ids_;
   std::map<std::string_view, std::size_t> places_;  // of the first record with an id

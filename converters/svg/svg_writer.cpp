@@ -10,6 +10,7 @@
 
 #include "converters/svg/carried_keys.h"
 #include "converters/svg/definitions.h"
+#include "converters/svg/pen_space.h"
 #include "converters/svg/record_ids.h"
 #include "converters/svg/shape_element.h"
 #include "converters/svg/style_attributes.h"
@@ -52,17 +53,19 @@ class SvgWriter {
   // ---- The page ----
 
   // A page without a size has none in SVG either. Its drawing is then shown from the origin on,
-  // unless some of it lies before that.
+  // unless some of it lies before that: such a viewBox says that it stands for no page.
   void write_page() {
     const Header& header = document_.header;
     if (header.width && header.height) {
       write_size("width", header.page_width, *header.width);
       write_size("height", header.page_height, *header.height);
-      write_view_box({{0, 0}, {*header.width, *header.height}});
+      xml_.attribute("viewBox", view_box({{0, 0}, {*header.width, *header.height}}));
       return;
     }
     const Box box = control_box(document_);
-    if (!box.empty() && (box.low.x < 0 || box.low.y < 0)) write_view_box(box);
+    if (box.empty() || (box.low.x >= 0 && box.low.y >= 0)) return;
+    xml_.attribute("viewBox", view_box(box));
+    xml_.attribute(kCarriedBox, view_box(box));
   }
 
   void write_size(std::string_view name, const std::string& original, double px) {
@@ -73,9 +76,9 @@ class SvgWriter {
     }
   }
 
-  void write_view_box(const Box& box) {
+  static std::string view_box(const Box& box) {
     const double numbers[] = {box.low.x, box.low.y, box.width(), box.height()};
-    xml_.attribute("viewBox", to_number_list(numbers));
+    return to_number_list(numbers);
   }
 
   // ---- What stands before the drawing ----
@@ -119,7 +122,7 @@ class SvgWriter {
     for (std::size_t i = 0; i < document_.records.size(); ++i) {
       const Record& record = document_.records[i];
       if (const auto* gradient = std::get_if<GradientRecord>(&record)) {
-        write_gradient(xml_, *gradient, ids_.at(i), {});
+        write_gradient(xml_, *gradient, ids_.at(i), std::nullopt);
       } else if (const auto* clip = std::get_if<ClipRecord>(&record)) {
         write_clip(xml_, *clip, ids_.at(i), ids_);
       }
@@ -196,21 +199,10 @@ class SvgWriter {
                 "along");
     }
     if (!path.style.stroke_transform) return write_plain_path(path, id);
-    const std::optional<Path> pen_path = in_pen_space(path);
+    const std::optional<Path> pen_path = to_pen_space(path.path, *path.style.stroke_transform);
     if (pen_path) return write_transformed_path(path, *pen_path, id);
     warn_once(path, "the space of its pen is too extreme for SVG; drawn with a round pen", "pen");
     write_plain_path(path, id);
-  }
-
-  // The path in the space of its pen; nothing when that has no inverse or leads beyond all numbers.
-  static std::optional<Path> in_pen_space(const PathRecord& path) {
-    const std::optional<Transform> pen_from_page = inverse(*path.style.stroke_transform);
-    if (!pen_from_page) return std::nullopt;
-    Path result = path.path;
-    result.transform(*pen_from_page);
-    const auto finite = [](Point point) { return is_finite(point); };
-    return std::ranges::all_of(result.points(), finite) ? std::optional(std::move(result))
-                                                        : std::nullopt;
   }
 
   void write_plain_path(const PathRecord& path, const std::string& id) {
@@ -230,32 +222,36 @@ class SvgWriter {
   // into the space of the pen.
   void write_transformed_path(const PathRecord& path, const Path& pen_path, const std::string& id) {
     const Transform page_from_pen = *path.style.stroke_transform;
-    const Transform pen_from_page = *inverse(page_from_pen);
     const bool clipped = !path.clip.empty();
     if (clipped) {
       xml_.begin("g");
+      xml_.attribute(kCarriedFor, "path");
       refer_to_clip(path.clip, path);
     }
-    const GradientIds gradient_ids = write_transformed_gradients(path, pen_from_page);
+    const GradientIds gradient_ids = write_transformed_gradients(path, page_from_pen);
     begin_path("path", path, id);
     xml_.attribute("transform", to_matrix(page_from_pen));
     write_style(xml_, path, gradient_ids);
     write_carried(path, true);
     xml_.attribute("d", to_path_data(pen_path));
+    if (to_page(pen_path, page_from_pen, "") != path.path) {
+      xml_.attribute(kCarriedPath, to_path_data(path.path));
+    }
     xml_.end();
     if (clipped) xml_.end();
   }
 
   // Writes those that the path refers to, in its own space, and returns their ids.
-  GradientIds write_transformed_gradients(const PathRecord& path, const Transform& pen_from_page) {
+  GradientIds write_transformed_gradients(const PathRecord& path, const Transform& page_from_pen) {
     std::vector<std::pair<std::string, std::string>> written;
     for (const std::optional<Paint>& paint : {path.style.fill, path.style.stroke}) {
       const auto* reference = paint ? std::get_if<PaintReference>(&*paint) : nullptr;
       const GradientRecord* gradient = reference ? find_gradient(*reference, path) : nullptr;
-      if (!gradient || !(pen_from_page * gradient->page_from_gradient).is_finite()) continue;
-      written.emplace_back(reference->id, ids_.make_unique(ids_.find(reference->id)));
+      if (!gradient || !to_pen_space(gradient->page_from_gradient, page_from_pen)) continue;
+      written.emplace_back(reference->id,
+                           ids_.make_another(document_.records[ids_.place(reference->id)]));
       xml_.begin("defs");
-      write_gradient(xml_, *gradient, written.back().second, pen_from_page);
+      write_gradient(xml_, *gradient, written.back().second, page_from_pen);
       xml_.end();
     }
     return [written](const PaintReference& reference) {

@@ -7,7 +7,7 @@
 // - Paint stands in attributes; gradients and clips in <defs>.
 // - The page has its original unit, and a viewBox in px, which the coordinates are in.
 // - A pen that is no circle is written as a transform of its path, whose coordinates are then those
-//   of the pen: numbers come back within rounding, everything else as it was.
+//   of the pen; those on the page stand beside them where rounding would change them (pen_space.h).
 //
 // What SVG has no place for stands beside it (carried_keys.h): nothing is lost. What SVG cannot
 // draw, a stroke that varies along its curve, is drawn with its mean; that is warned about once.

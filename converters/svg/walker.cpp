@@ -117,6 +117,7 @@ Scope Walker::enter(pugi::xml_node element, const Scope& parent) const {
   if (scope.style.transform) scope.page_from_user = scope.page_from_user * *scope.style.transform;
   scope.viewport = parent.viewport;
   scope.group = parent.group;
+  scope.path_clip = parent.path_clip;
   scope.depth = parent.depth + 1;
   return scope;
 }

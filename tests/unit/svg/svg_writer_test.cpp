@@ -73,7 +73,7 @@ TEST(SvgWriter, ShowsADrawingWithoutPageThatLiesBeforeTheOrigin) {
   PathRecord path = path_record("");
   EXPECT_THAT(write({{}, {path}}).text, Not(HasSubstr("viewBox")));
   path.path = parse_path_data("M-5 1 L5 11");
-  EXPECT_THAT(write({{}, {path}}).text, HasSubstr(" viewBox=\"-5 1 10 10\">"));
+  EXPECT_THAT(write({{}, {path}}).text, HasSubstr(" viewBox=\"-5 1 10 10\" "));
 }
 
 TEST(SvgWriter, NestsGroupsAgain) {
@@ -248,7 +248,7 @@ TEST(SvgWriter, BringsGradientsAndClipsToTheTransformedPath) {
   path.style.stroke_transform = Transform{2, 0, 0, 4, 0, 0};
   EXPECT_THAT(
       body({gradient, clip, path}),
-      HasSubstr("  <g clip-path=\"url(#c)\">\n"
+      HasSubstr("  <g curves:for=\"path\" clip-path=\"url(#c)\">\n"
                 "    <defs>\n"
                 "      <linearGradient id=\"g-1\" curves:id=\"g\" gradientUnits=\"userSpaceOnUse\" "
                 "x1=\"0\" y1=\"0\" x2=\"8\" y2=\"0\" "
