@@ -13,7 +13,8 @@ Session::Session(std::string program, std::string history, bool quiet, Report* r
 
 void Session::message(std::string_view text) const {
   const std::string line = program_ + ": " + std::string(text) + '\n';
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  // Where messages cannot be written, nobody can be told so.
+  static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
 void Session::warn(const Warning& warning) {

@@ -23,10 +23,9 @@ bool is_name_character(char c) {
 }
 
 // What every record of its type has, when it says nothing.
-constexpr std::string_view kEmptyPath = ",\"d\":\"\"";
-constexpr std::string_view kEmptyGradient =
-    ",\"linear\":{\"x1\":0,\"y1\":0,\"x2\":0,\"y2\":0},\"stops\":[]";
-constexpr std::string_view kEmptyClip = ",\"parts\":[]";
+constexpr std::string_view kEmptyPath = R"(,"d":"")";
+constexpr std::string_view kEmptyGradient = R"(,"linear":{"x1":0,"y1":0,"x2":0,"y2":0},"stops":[])";
+constexpr std::string_view kEmptyClip = R"(,"parts":[])";
 
 // The keys of a record that have no attribute of their own.
 std::vector<Extra> carried_extras(const RecordBase& record) {
@@ -173,7 +172,7 @@ std::string carried_keys(const GradientRecord& gradient) {
 std::string carried_keys(const ClipRecord& clip) { return carried_extras_line(clip, kEmptyClip); }
 
 bool restore_carried_keys(std::string_view carried, PathRecord& path) {
-  std::optional<Record> record = read_carried(carried, ",\"d\":\"" + to_path_data(path.path) + '"');
+  std::optional<Record> record = read_carried(carried, R"(,"d":")" + to_path_data(path.path) + '"');
   auto* rest = record ? std::get_if<PathRecord>(&*record) : nullptr;
   if (!rest) return false;
   if (!rest->shape.empty()) path.shape = std::move(rest->shape);

@@ -300,7 +300,7 @@ std::optional<CssColor> parse_function(std::string_view text) {
 std::optional<CssColor> parse_css_color(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('#')) return parse_hex(text.substr(1));
-  if (text.find('(') != text.npos) return parse_function(text);
+  if (text.find('(') != std::string_view::npos) return parse_function(text);
   return parse_name(text);
 }
 

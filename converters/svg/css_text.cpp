@@ -95,7 +95,7 @@ std::string without_comments(std::string_view text) {
     if (quote == '\0' && text.substr(i, 2) == "/*") {
       const std::size_t end = text.find("*/", i + 2);
       result += ' ';
-      if (end == text.npos) break;
+      if (end == std::string_view::npos) break;
       i = end + 1;
       continue;
     }
@@ -118,7 +118,7 @@ std::size_t find_outside(std::string_view text, std::string_view stops, std::siz
       ++i;
     } else if (quote != '\0') {
       if (c == quote) quote = '\0';
-    } else if (depth == 0 && stops.find(c) != stops.npos) {
+    } else if (depth == 0 && stops.find(c) != std::string_view::npos) {
       return i;
     } else if (c == '"' || c == '\'') {
       quote = c;

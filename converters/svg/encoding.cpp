@@ -93,11 +93,11 @@ std::string declared_encoding(std::string_view text) {
   if (!text.starts_with("<?xml")) return "";
   const std::string_view declaration = text.substr(0, text.find("?>"));
   const std::size_t key = declaration.find("encoding");
-  if (key == declaration.npos) return "";
+  if (key == std::string_view::npos) return "";
   const std::size_t open = declaration.find_first_of("\"'", key);
-  if (open == declaration.npos) return "";
+  if (open == std::string_view::npos) return "";
   const std::size_t close = declaration.find(declaration[open], open + 1);
-  if (close == declaration.npos) return "";
+  if (close == std::string_view::npos) return "";
   std::string name(declaration.substr(open + 1, close - open - 1));
   std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
   return name;
@@ -148,7 +148,8 @@ std::string to_utf8(std::string bytes, const std::string& file, const WarningHan
   } else if (is_western_8bit(declared_encoding(view))) {
     bytes = from_windows1252(view);
   }
-  if (bytes.find('\0') != bytes.npos) throw Error({file, 0}, "is no XML text: it has NUL bytes");
+  const bool has_nul = bytes.find('\0') != std::string::npos;
+  if (has_nul) throw Error({file, 0}, "is no XML text: it has NUL bytes");
   const std::size_t good = valid_prefix(bytes);
   if (good == bytes.size()) return bytes;
   const auto fault = bytes.begin() + static_cast<std::ptrdiff_t>(good);

@@ -41,7 +41,7 @@ class DeclarationReader {
   // Passes over everything up to and including `end`.
   void skip_past(std::string_view end) {
     const std::size_t at = rest_.find(end);
-    skip(at == rest_.npos ? at : at + end.size());
+    skip(at == std::string_view::npos ? at : at + end.size());
   }
   bool take(std::string_view token) {
     if (!rest_.starts_with(token)) return false;
@@ -57,7 +57,7 @@ class DeclarationReader {
   bool take_quoted(std::string_view& value) {
     if (rest_.empty() || (rest_[0] != '"' && rest_[0] != '\'')) return false;
     const std::size_t end = rest_.find(rest_[0], 1);
-    if (end == rest_.npos) return false;
+    if (end == std::string_view::npos) return false;
     value = rest_.substr(1, end - 1);
     skip(end + 1);
     return true;
@@ -85,7 +85,7 @@ bool is_xml_character(std::uint32_t code) {
 // both alone, when there stands anything else.
 bool take_character_reference(std::string_view& text, std::string& value) {
   const std::size_t end = text.substr(0, kLongestReference).find(';');
-  if (!text.starts_with("&#") || end == text.npos) return false;
+  if (!text.starts_with("&#") || end == std::string_view::npos) return false;
   std::string_view digits = text.substr(2, end - 2);
   const int base = digits.starts_with('x') ? 16 : 10;
   if (base == 16) digits.remove_prefix(1);
@@ -237,7 +237,7 @@ class Expander {
 
   void append_verbatim(std::string_view& text, std::string_view end) {
     const std::size_t at = text.find(end);
-    append_front(text, at == text.npos ? text.size() : at + end.size());
+    append_front(text, at == std::string_view::npos ? text.size() : at + end.size());
   }
 
   void append_tag(std::string_view& text) {
@@ -259,7 +259,7 @@ class Expander {
       append_front(text, std::min(text.find('&'), text.size()));
       if (text.empty()) return;
       const std::size_t end = text.find_first_of(";&", 1);
-      const bool named = end != text.npos && text[end] == ';';
+      const bool named = end != std::string_view::npos && text[end] == ';';
       const auto entity = named ? entities_.find(text.substr(1, end - 1)) : entities_.end();
       if (entity == entities_.end()) {
         append_front(text, 1);

@@ -24,7 +24,8 @@ pugi::xml_node next_element(pugi::xml_node element) {
 
 // Whether `word` stands in a list of words separated by white space.
 bool has_word(std::string_view list, std::string_view word) {
-  for (std::size_t at = list.find(word); at != list.npos; at = list.find(word, at + 1)) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos;
+       at = list.find(word, at + 1)) {
     const std::size_t end = at + word.size();
     const bool begins = at == 0 || is_space(list[at - 1]);
     const bool ends = end == list.size() || is_space(list[end]);
@@ -52,7 +53,7 @@ bool holds(const AttributeTest& test, pugi::xml_node element) {
     case Kind::kSuffix:
       return !test.value.empty() && value.ends_with(test.value);
     case Kind::kPart:
-      return !test.value.empty() && value.find(test.value) != value.npos;
+      return !test.value.empty() && value.find(test.value) != std::string_view::npos;
   }
   return false;
 }

@@ -202,7 +202,7 @@ class SelectorParser {
     if (compact == "odd") compact = "2n+1";
     if (compact == "even") compact = "2n";
     const std::size_t n = compact.find('n');
-    if (n == compact.npos) return parse_integer(compact, pseudo.offset);
+    if (n == std::string::npos) return parse_integer(compact, pseudo.offset);
     const std::string step = compact.substr(0, n);
     const std::string offset = compact.substr(n + 1);
     if (step.empty() || step == "+" || step == "-") {

@@ -13,7 +13,7 @@ namespace {
 // Takes "!important" off the end of a value.
 bool take_important(std::string_view& value) {
   const std::size_t mark = value.rfind('!');
-  if (mark == value.npos) return false;
+  if (mark == std::string_view::npos) return false;
   if (!equal_ignoring_case(trimmed(value.substr(mark + 1)), "important")) return false;
   value = trimmed(value.substr(0, mark));
   return true;
@@ -21,7 +21,7 @@ bool take_important(std::string_view& value) {
 
 std::optional<Declaration> parse_declaration(std::string_view text) {
   const std::size_t colon = text.find(':');
-  if (colon == text.npos) return std::nullopt;
+  if (colon == std::string_view::npos) return std::nullopt;
   std::string name(trimmed(text.substr(0, colon)));
   std::ranges::transform(name, name.begin(), to_lower);
   Declaration declaration{find_property(name), trimmed(text.substr(colon + 1))};

@@ -96,20 +96,20 @@ class NameResolver {
   void rename_element(pugi::xml_node node) const {
     const std::string_view name = node.name();
     const std::size_t colon = name.find(':');
-    const std::string_view prefix = colon == name.npos ? "" : name.substr(0, colon);
+    const std::string_view prefix = colon == std::string_view::npos ? "" : name.substr(0, colon);
     const Declaration* const declared = find(prefix);
     // What is not declared is taken as it looks.
     const std::string_view target =
         declared != nullptr ? canonical_prefix(declared->uri) : (prefix == "svg" ? "" : prefix);
     if (target == prefix) return;
-    const std::string_view local = colon == name.npos ? name : name.substr(colon + 1);
+    const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
     node.set_name(joined(target, local).c_str());
   }
 
   void rename_attribute(pugi::xml_attribute attribute) const {
     const std::string_view name = attribute.name();
     const std::size_t colon = name.find(':');
-    if (colon == name.npos || name.starts_with("xmlns:")) return;
+    if (colon == std::string_view::npos || name.starts_with("xmlns:")) return;
     const Declaration* const declared = find(name.substr(0, colon));
     if (declared == nullptr) return;
     const std::string_view target = canonical_prefix(declared->uri);
@@ -131,7 +131,8 @@ class NameResolver {
 
 std::vector<std::size_t> find_line_ends(std::string_view text) {
   std::vector<std::size_t> ends;
-  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos;
+       at = text.find('\n', at + 1)) {
     ends.push_back(at);
   }
   return ends;
@@ -180,6 +181,6 @@ Place XmlFile::place_of_offset(std::ptrdiff_t offset) const {
   return {file_, 1 + static_cast<std::size_t>(end - line_ends_.begin())};
 }
 
-bool is_foreign(std::string_view name) { return name.find(':') != name.npos; }
+bool is_foreign(std::string_view name) { return name.find(':') != std::string_view::npos; }
 
 }  // namespace libstyle::svg

@@ -48,7 +48,8 @@ void XmlWriter::attribute(std::string_view name, std::string_view value) {
   text_ += name;
   text_ += '=';
   // JSON is easier to read between single quotes.
-  const bool single = value.find('"') != value.npos && value.find('\'') == value.npos;
+  const bool single =
+      value.find('"') != std::string_view::npos && value.find('\'') == std::string_view::npos;
   const char quote = single ? '\'' : '"';
   text_ += quote;
   append_escaped(text_, value, quote);

@@ -51,7 +51,7 @@ void check_range(const Channel& channel, const KnownChannel& known) {
 
 void check_length(std::string_view name, std::size_t values, std::size_t vertices) {
   if (values == vertices) return;
-  throw Error("\"along\": \"" + std::string(name) + "\" has " + std::to_string(values) +
+  throw Error(R"("along": ")" + std::string(name) + "\" has " + std::to_string(values) +
               " values for " + std::to_string(vertices) + " vertices of \"d\"");
 }
 
@@ -68,7 +68,7 @@ void complete(PathRecord& record, const SeenKeys<PathRecord>&) {
 
 void complete(GradientRecord& record, const SeenKeys<GradientRecord>& seen) {
   if (seen.has("linear") == seen.has("radial")) {
-    throw Error("a gradient has either \"linear\" or \"radial\"");
+    throw Error(R"(a gradient has either "linear" or "radial")");
   }
   if (!std::ranges::is_sorted(record.stops, {}, &GradientStop::offset)) {
     throw Error("\"stops\": the offsets must not decrease");
@@ -81,7 +81,7 @@ void complete(RadialGeometry& geometry, const SeenKeys<RadialGeometry>& seen) {
 }
 
 void fail_both_kinds() {
-  throw Error("a line has either \"curves\", as a header, or \"type\", as a record; not both");
+  throw Error(R"(a line has either "curves", as a header, or "type", as a record; not both)");
 }
 
 void ObjectReader::read_value(VersionForm, Value& value, Header&) {
@@ -123,7 +123,7 @@ void ObjectReader::read_value(PaintForm, Value& value, std::optional<Paint>& pai
   } else if (text.starts_with('#')) {
     paint = read_opaque_color(value);
   } else {
-    json::fail_wanted(value, "\"none\", a color like \"#00aaff\" or \"url(#id)\"");
+    json::fail_wanted(value, R"lit("none", a color like "#00aaff" or "url(#id)")lit");
   }
 }
 

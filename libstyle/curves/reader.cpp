@@ -45,7 +45,7 @@ void check_unique_ids(const Document& document, const std::string& name) {
     if (!base || base->id.empty()) continue;
     const auto [first, added] = line_of_id.emplace(base->id, base->line);
     if (added) continue;
-    throw Error({name, base->line}, "\"id\": \"" + base->id + "\" is also the id of line " +
+    throw Error({name, base->line}, R"("id": ")" + base->id + "\" is also the id of line " +
                                         std::to_string(first->second) +
                                         "; ids are unique in a document");
   }
@@ -76,7 +76,7 @@ std::optional<std::string_view> find_type(Object& object) {
   const simdjson::error_code code = object.find_field_unordered("type").get(value);
   if (code == simdjson::NO_SUCH_FIELD) {
     if (has_curves(object)) return std::nullopt;
-    throw Error("\"type\" is missing, or \"curves\" if it is a header");
+    throw Error(R"("type" is missing, or "curves" if it is a header)");
   }
   json::check(code);
   json::ondemand::json_type type{};
