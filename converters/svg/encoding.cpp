@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/svg/encoding.h"
 
+#include <iconv.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace libstyle::svg {
 namespace {
@@ -103,6 +107,43 @@ std::string declared_encoding(std::string_view text) {
   return name;
 }
 
+// Encodings that continue ASCII with one byte a character, as iconv(3) knows them. No others: some
+// that it knows have state, and faults.
+bool is_other_8bit(std::string_view encoding) {
+  return encoding.starts_with("iso-8859-") || encoding.starts_with("windows-125") ||
+         encoding == "koi8-r" || encoding == "koi8-u";
+}
+
+// Nothing when iconv does not know the encoding.
+std::optional<std::string> from_8bit(std::string_view bytes, const std::string& encoding) {
+  const iconv_t converter = iconv_open("UTF-8", encoding.c_str());
+  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+  std::array<std::string, 0x80> characters;
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    char byte = static_cast<char>(0x80 + i), utf8[8];
+    char *in = &byte, *out = utf8;
+    std::size_t in_left = 1, out_left = sizeof utf8;
+    const bool known = iconv(converter, &in, &in_left, &out, &out_left) != std::size_t(-1);
+    if (known) {
+      characters[i].assign(utf8, out);
+    } else {
+      append_utf8(characters[i], kReplacement);
+    }
+  }
+  iconv_close(converter);
+  std::string text;
+  text.reserve(bytes.size());
+  for (const char byte : bytes) {
+    const auto c = static_cast<std::uint8_t>(byte);
+    if (c < 0x80) {
+      text.push_back(byte);
+    } else {
+      text += characters[c - 0x80];
+    }
+  }
+  return text;
+}
+
 bool is_western_8bit(std::string_view encoding) {
   constexpr std::string_view kNames[] = {"iso-8859-1", "iso_8859-1",   "latin1",
                                          "iso8859-1",  "windows-1252", "cp1252"};
@@ -132,9 +173,6 @@ void append_utf8(std::string& text, char32_t c) {
 
 std::string to_utf8(std::string bytes, const std::string& file, const WarningHandler& warn) {
   const std::string_view view = bytes;
-  if (view.starts_with("\x1F\x8B")) {
-    throw Error({file, 0}, "is compressed (svgz); unpack it with gunzip first");
-  }
   if (view.starts_with("\xFE\xFF")) {
     bytes = from_utf16(view.substr(2), true);
   } else if (view.starts_with("\xFF\xFE")) {
@@ -145,8 +183,10 @@ std::string to_utf8(std::string bytes, const std::string& file, const WarningHan
     bytes = from_utf16(view, false);
   } else if (view.starts_with("\xEF\xBB\xBF")) {
     bytes.erase(0, 3);
-  } else if (is_western_8bit(declared_encoding(view))) {
+  } else if (const std::string encoding = declared_encoding(view); is_western_8bit(encoding)) {
     bytes = from_windows1252(view);
+  } else if (is_other_8bit(encoding)) {
+    if (std::optional<std::string> text = from_8bit(view, encoding)) bytes = std::move(*text);
   }
   const bool has_nul = bytes.find('\0') != std::string::npos;
   if (has_nul) throw Error({file, 0}, "is no XML text: it has NUL bytes");

@@ -9,9 +9,9 @@
 
 namespace libstyle::svg {
 
-// Reads UTF-8, UTF-16 (with a byte order mark, or told by its first character), ISO-8859-1 and
-// windows-1252 (declared). A byte order mark is taken off. Bytes that are no characters become
-// U+FFFD with one warning. Throws Error for compressed data and for text with NUL characters.
+// Reads UTF-8, UTF-16 (with a byte order mark, or told by its first character), and what is
+// declared as ISO-8859, windows-125x or KOI8. A byte order mark is taken off. Bytes that are no
+// characters become U+FFFD with one warning. Throws Error for text with NUL characters.
 std::string to_utf8(std::string bytes, const std::string& file, const WarningHandler& warn);
 
 // Appends one character.

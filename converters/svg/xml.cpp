@@ -6,6 +6,7 @@
 
 #include "converters/svg/carried_keys.h"
 #include "converters/svg/encoding.h"
+#include "converters/svg/gzip.h"
 
 namespace libstyle::svg {
 namespace {
@@ -159,6 +160,7 @@ XmlFile::XmlFile(std::string text, std::string file, const XmlLimits& limits,
   if (text.size() > limits.bytes) {
     throw Error({file_, 0}, "is larger than " + std::to_string(limits.bytes >> 20) + " MB");
   }
+  if (is_gzip(text)) text = gunzip(text, limits.bytes, file_);
   text = to_utf8(std::move(text), file_, warn);
   text_ = expand_entities(std::move(text), file_, limits.entities, warn);
   line_ends_ = find_line_ends(text_);

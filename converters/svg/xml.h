@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // An SVG file as a tree of XML elements, as found in the wild.
 //
-// The stages: bytes to UTF-8 (encoding.h), entities expanded (entities.h), pugixml's parser, then
-// names made canonical, so that nobody after this thinks of namespaces:
+// The stages: what gzip has packed is unpacked (gzip.h), bytes to UTF-8 (encoding.h), entities
+// expanded (entities.h), pugixml's parser, then names made canonical, so that nobody after this
+// thinks of namespaces:
 // - SVG elements have their plain name ("svg:rect" is "rect"). A file that declares no namespace is
 //   SVG too. Elements of other namespaces have a ':' in their name.
 // - Attributes of the namespaces we know have their usual prefix whatever the file calls it:
@@ -21,8 +22,8 @@
 namespace libstyle::svg {
 
 struct XmlLimits {
-  std::size_t bytes = std::size_t{256} << 20;
-  std::size_t depth = 1000;  // elements within elements
+  std::size_t bytes = std::size_t{256} << 20;  // packed, and unpacked
+  std::size_t depth = 1000;                    // elements within elements
   EntityLimits entities;
 };
 

@@ -71,6 +71,15 @@ command_case(svg2curves/deep-nesting
 command_case(svg2curves/strict-fails-on-a-warning
   RUN "svg2curves --strict -q broken/nan-coordinates.svg > /dev/null" EXIT 1 STDERR "~svg2curves: .*")
 
+command_case(svg2curves/packed-by-gzip
+  RUN "cp drawings/plan.svg $OUT && gzip -S z $OUT/plan.svg && svg2curves $OUT/plan.svgz" SAME "svg2curves drawings/plan.svg")
+command_case(svg2curves/packed-and-cut-off
+  RUN "gzip < drawings/plan.svg | head -c 200 | svg2curves" EXIT 1
+  STDERR "svg2curves: stdin: is packed by gzip, and damaged or cut off")
+command_case(svg2curves/packed-without-end
+  RUN "yes '<g>' | head -c 300000000 | gzip -1 | svg2curves" EXIT 1
+  STDERR "svg2curves: stdin: is larger than 256 MB when unpacked")
+
 command_case(svg2curves/text-is-drawn-as-by-rsvg-convert
   RUN [[cd ../tests/golden/svg-text && for name in *.svg; do
     rsvg-convert $name -o $OUT/expected.png && svg2curves --strict $name | render -o $OUT/actual.png &&
