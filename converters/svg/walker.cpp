@@ -40,8 +40,10 @@ Rectangle viewport_of(const Scope& scope) {
           resolve(scope.style.height.value_or(kWhole), LengthAxis::kVertical, context)};
 }
 
-// Fonts have a rule of their own for what is inside.
-void set_rule_of_fonts(ComputedStyle& style) {
+// Fonts have a rule of their own for what is inside, and their edges are not those of shapes
+// (SVG 1.1, section 11.7.3).
+void set_rules_of_fonts(ComputedStyle& style) {
+  style.crisp_edges = false;
   style.fill_rule = FillRule::kNonZero;
   style.clip_rule = FillRule::kNonZero;
 }
@@ -51,7 +53,7 @@ Scope scope_within_text(const Scope& text, const InheritedProperties& style) {
   Scope scope = text;
   scope.style = {};
   static_cast<InheritedProperties&>(scope.style) = style;
-  set_rule_of_fonts(scope.style);
+  set_rules_of_fonts(scope.style);
   return scope;
 }
 
@@ -273,7 +275,7 @@ void Walker::draw_text(pugi::xml_node element, Scope& scope) {
   } catch (const Error& error) {
     return leave_out(error.what());
   }
-  set_rule_of_fonts(scope.style);
+  set_rules_of_fonts(scope.style);
   scope.bounds.emplace();
   for (const TextRun& run : runs) scope.bounds->include(bounding_box(run.path));
   if (!runs.empty()) draw_text_part(text, 0, runs, scope);

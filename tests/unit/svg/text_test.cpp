@@ -41,6 +41,13 @@ std::vector<std::string> ids(const Reading& reading) {
   return ids;
 }
 
+TEST(Text, HasSmoothEdgesAmongCrispShapes) {
+  const Reading reading =
+      read("<g shape-rendering='crispEdges'>" + text("l") + text("l<tspan>l</tspan>") + "</g>");
+  ASSERT_EQ(reading.paths().size(), 3U);
+  for (const PathRecord* const path : reading.paths()) EXPECT_FALSE(path->style.crisp_edges);
+}
+
 // --- Geometry -----------------------------------------------------------------------------------
 
 // The font has 2048 units to the em. "l" is a box from (193, 0) to (377, 1556).
