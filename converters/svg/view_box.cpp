@@ -2,6 +2,7 @@
 #include "converters/svg/view_box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "converters/svg/scanner.h"
@@ -27,8 +28,15 @@ std::string take_next_word(Scanner& scanner) {
   return word;
 }
 
+// Writers turn millimetres into px in their own way, so that the width of a page and that of its
+// viewBox often differ in their last digits where the same is meant. No coordinate is to move then.
+bool nearly_equal(double a, double b) { return std::abs(a - b) < 1e-12 * std::abs(b); }
+
+double scale_between(double from, double to) { return nearly_equal(from, to) ? 1 : to / from; }
+
 // Where the low edge of `size` comes to lie in `available`.
 double aligned(Align align, double available, double size) {
+  if (nearly_equal(size, available)) return 0;
   return static_cast<double>(align) / 2 * (available - size);
 }
 
@@ -82,7 +90,8 @@ std::optional<View> read_view(pugi::xml_node element) {
 std::optional<Transform> viewport_from_view_box(const Rectangle& viewport,
                                                 const Rectangle& view_box, AspectRatio ratio) {
   if (!(view_box.width > 0 && view_box.height > 0)) return std::nullopt;
-  double scale_x = viewport.width / view_box.width, scale_y = viewport.height / view_box.height;
+  double scale_x = scale_between(view_box.width, viewport.width);
+  double scale_y = scale_between(view_box.height, viewport.height);
   if (ratio.preserved) {
     scale_x = ratio.slice ? std::max(scale_x, scale_y) : std::min(scale_x, scale_y);
     scale_y = scale_x;

@@ -48,6 +48,15 @@ TEST(AspectRatio, RefusesAnythingElse) {
   }
 }
 
+TEST(ViewBox, MovesNothingForTheLastDigitOfAPage) {
+  const Rectangle page = {0, 0, 29.7 / 2.54 * 96, 21 / 2.54 * 96};
+  const Rectangle view_box = {0, 0, 1122.5196850393702, 793.7007874015748};
+  EXPECT_EQ(viewport_from_view_box({0, 0, page.width + 1e-12, page.height}, view_box, {}),
+            Transform{});
+  EXPECT_NE(viewport_from_view_box({0, 0, page.width + 1e-6, page.height + 1e-6}, view_box, {}),
+            Transform{});
+}
+
 // Where the corners of `view_box` come to lie in the viewport 100 200 40 20.
 Rectangle placed(const Rectangle& view_box, std::string_view ratio) {
   const Transform map =
