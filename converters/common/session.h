@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -18,11 +19,15 @@ class Session {
  public:
   // What is said is noted in `report`, if there is one, --quiet or not.
   Session(std::string program, std::string history, bool quiet, Report* report = nullptr);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   // Prints "program: text" to stderr, --quiet or not.
   void message(std::string_view text) const;
 
-  // Prints a warning in one line, unless --quiet, and counts it.
+  // Prints a warning in one line, unless --quiet, and counts it. Of one text in one file only the
+  // first few are printed, and how many more there were when that file is done.
   void warn(const Warning& warning);
   WarningHandler warning_handler();
   std::size_t warning_count() const { return warnings_; }
@@ -38,12 +43,17 @@ class Session {
   const std::string& history() const { return history_; }
 
  private:
+  void print(const Warning& warning);
+  void print_repeated();
+
   std::string program_;
   std::string history_;
   bool quiet_;
   Report* report_;
   std::size_t warnings_ = 0;
   std::size_t errors_ = 0;
+  std::string file_;                             // that the last warning was about
+  std::map<std::string, std::size_t> repeated_;  // how often each text was said of it
 };
 
 }  // namespace libstyle

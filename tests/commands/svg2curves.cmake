@@ -71,6 +71,19 @@ command_case(svg2curves/deep-nesting
 command_case(svg2curves/strict-fails-on-a-warning
   RUN "svg2curves --strict -q broken/nan-coordinates.svg > /dev/null" EXIT 1 STDERR "~svg2curves: .*")
 
+set(images [[printf '<svg>\n%s</svg>' "$(printf '<image/>\n%.0s' 1 2 3 4 5 6 7 8)"]])
+command_case(svg2curves/same-warnings-are-counted-after-the-fifth
+  RUN "${images} | svg2curves > $OUT/a.curves"
+  STDERR "svg2curves: stdin:2: warning: image is not carried
+svg2curves: stdin:3: warning: image is not carried
+svg2curves: stdin:4: warning: image is not carried
+svg2curves: stdin:5: warning: image is not carried
+svg2curves: stdin:6: warning: image is not carried
+svg2curves: stdin: warning: and 3 more: image is not carried")
+command_case(svg2curves/report-has-every-warning
+  RUN "${images} | svg2curves --quiet --report $OUT/report.json > $OUT/a.curves && grep -c '^{.severity' $OUT/report.json"
+  SAME "echo 8")
+
 command_case(svg2curves/packed-by-gzip
   RUN "cp drawings/plan.svg $OUT && gzip -S z $OUT/plan.svg && svg2curves $OUT/plan.svgz" SAME "svg2curves drawings/plan.svg")
 command_case(svg2curves/packed-and-cut-off
