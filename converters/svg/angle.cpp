@@ -42,6 +42,10 @@ Vector unit_vector_at(double degrees) {
   }
 }
 
+std::optional<double> degrees_per_svg_unit(std::string_view unit) {
+  return equal_ignoring_case(unit, "turn") ? std::nullopt : degrees_per_unit(unit);
+}
+
 std::optional<double> degrees_per_unit(std::string_view unit) {
   if (equal_ignoring_case(unit, "deg")) return 1;
   if (equal_ignoring_case(unit, "grad")) return 0.9;

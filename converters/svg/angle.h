@@ -16,4 +16,7 @@ Vector unit_vector_at(double degrees);
 // How many degrees a CSS unit is: deg, grad, rad, turn, in any case. Nothing for others.
 std::optional<double> degrees_per_unit(std::string_view unit);
 
+// As above without turns, which librsvg knows in colours alone.
+std::optional<double> degrees_per_svg_unit(std::string_view unit);
+
 }  // namespace libstyle::svg

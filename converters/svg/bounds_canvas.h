@@ -10,6 +10,8 @@ namespace libstyle::svg {
 
 class BoundsCanvas final : public Canvas {
  public:
+  explicit BoundsCanvas(const Transform& group_from_page) : group_from_page_(group_from_page) {}
+
   bool open_group(pugi::xml_node element, Scope& scope,
                   const std::optional<Rectangle>& viewport) override;
   void draw_path(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope) override;
@@ -17,6 +19,7 @@ class BoundsCanvas final : public Canvas {
   const Box& bounds() const { return bounds_; }
 
  private:
+  Transform group_from_page_;
   Box bounds_;
 };
 

@@ -20,6 +20,10 @@ inline constexpr std::string_view kCurvesNamespace = "urn:libstyle:curves";
 inline constexpr const char* kCarriedKeys = "curves:keys";
 inline constexpr const char* kCarriedId = "curves:id";
 inline constexpr const char* kCarriedGeometry = "curves:geometry";  // of a gradient
+// On a clipPath whose parts are to be united, and clips on it and on them to be heeded: what SVG
+// says and librsvg does not do, so that drawings are not read so otherwise.
+inline constexpr const char* kCarriedParts = "curves:parts";
+inline constexpr std::string_view kUnited = "united";
 inline constexpr const char* kCarriedRecords = "curves:records";
 // The viewBox of a page without a size: as long as it stands there, the page has none.
 inline constexpr const char* kCarriedBox = "curves:box";

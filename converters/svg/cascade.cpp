@@ -9,12 +9,17 @@
 namespace libstyle::svg {
 namespace {
 
-// SVG 1.1, section 14.3.3: what opens a viewport within the drawing clips to it. Symbols do not, as
-// librsvg draws them.
+// SVG 1.1, section 14.3.3: what opens a viewport within the drawing clips to it.
 bool clips_by_default(pugi::xml_node element) {
   const std::string_view name = element.name();
   const bool outermost = element.parent().type() == pugi::node_document;
-  return (name == "svg" && !outermost) || name == "marker" || name == "pattern" || name == "image";
+  return (name == "svg" && !outermost) || name == "symbol" || name == "marker" ||
+         name == "pattern" || name == "image";
+}
+
+// What is a property and no attribute.
+bool is_for_style_sheets_only(std::string_view name) {
+  return name == "marker" || name == "mix-blend-mode" || name == "isolation";
 }
 
 void apply_attributes(pugi::xml_node element, ComputedStyle& style, const ComputedStyle& parent) {
@@ -22,7 +27,7 @@ void apply_attributes(pugi::xml_node element, ComputedStyle& style, const Comput
     const std::string_view name = attribute.name();
     if (name == "transform") {
       style.transform = parse_transform_attribute(attribute.value());
-    } else if (name != "marker") {  // the shorthand is for style sheets only
+    } else if (!is_for_style_sheets_only(name)) {
       const Property* const property = find_property(name);
       if (property != nullptr) apply(*property, attribute.value(), style, parent);
     }

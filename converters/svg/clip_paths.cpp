@@ -7,6 +7,7 @@
 
 #include "converters/svg/carried_keys.h"
 #include "converters/svg/cascade.h"
+#include "converters/svg/scanner.h"
 #include "libstyle/geometry/path_segments.h"
 
 namespace libstyle::svg {
@@ -14,10 +15,17 @@ namespace {
 
 constexpr std::size_t kNestingLimit = 32;  // clips that are clipped themselves
 
+// Whether the parts of a clipPath and the clips on them are what SVG says (see carried_keys.h),
+// rather than what librsvg makes of them.
+bool is_united(pugi::xml_node clip) {
+  return std::string_view(clip.attribute(kCarriedParts).value()) == kUnited;
+}
+
 // Gathers what a clipPath lets through.
 class ClipCanvas final : public Canvas {
  public:
-  ClipCanvas(ClipPaths& clips, Reporter& reporter) : clips_(clips), reporter_(reporter) {}
+  ClipCanvas(ClipPaths& clips, bool united, Reporter& reporter)
+      : clips_(clips), united_(united), reporter_(reporter) {}
 
   // SVG 1.1, section 14.3.5: a clipPath holds shapes and texts, and `use` that refers to them
   // directly; groups let nothing through. What has bounds is a part of a text.
@@ -26,9 +34,7 @@ class ClipCanvas final : public Canvas {
     const bool is_use = std::string_view(element.name()) == "use" &&
                         std::string_view(element.parent().name()) == "clipPath";
     if (!is_use && !scope.bounds) return false;
-    if (!scope.style.clip_path.empty()) {
-      reporter_.warn(element, "clip-path of a group within a clipPath is not carried");
-    }
+    warn_clipped(element, scope.style);
     return scope.style.display != Display::kNone;
   }
 
@@ -37,8 +43,12 @@ class ClipCanvas final : public Canvas {
     const ComputedStyle& style = scope.style;
     if (style.display == Display::kNone || style.visibility == Visibility::kHidden) return;
     ClipPart part;
-    part.clip = clips_.find_or_add(element, scope,
-                                   [&] { return scope.bounds.value_or(bounding_box(path)); });
+    if (united_) {
+      part.clip = clips_.find_or_add(element, scope,
+                                     [&] { return scope.bounds.value_or(bounding_box(path)); });
+    } else {
+      warn_clipped(element, style);
+    }
     part.path = std::move(path);
     part.path.transform(scope.page_from_user);
     part.rule = style.clip_rule;
@@ -49,16 +59,34 @@ class ClipCanvas final : public Canvas {
     parts_.push_back(std::move(part));
   }
 
-  std::vector<ClipPart> take_parts() { return std::move(parts_); }
+  std::vector<ClipPart> take_parts() {
+    if (!united_) join_parts();
+    return std::move(parts_);
+  }
 
  private:
+  void warn_clipped(pugi::xml_node element, const ComputedStyle& style) {
+    if (style.clip_path.empty()) return;
+    reporter_.warn(element, "clip-path within a clipPath is not carried, as in librsvg");
+  }
+
+  // librsvg takes all the outlines for those of one shape, filled by the rule of the last.
+  void join_parts() {
+    if (parts_.size() < 2) return;
+    ClipPart whole;
+    for (const ClipPart& part : parts_) whole.path.append(part.path);
+    whole.rule = parts_.back().rule;
+    parts_ = {std::move(whole)};
+  }
+
   ClipPaths& clips_;
+  bool united_;
   Reporter& reporter_;
   std::vector<ClipPart> parts_;
 };
 
 bool is_in_bounds_units(pugi::xml_node clip) {
-  return std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox";
+  return equal_ignoring_case(clip.attribute("clipPathUnits").value(), "objectBoundingBox");
 }
 
 bool has_area(const Box& box) { return box.width() > 0 && box.height() > 0; }
@@ -92,7 +120,7 @@ pugi::xml_node ClipPaths::find_clip(pugi::xml_node element, std::string_view val
   std::string_view rest;
   const std::string_view reference = take_url(value, rest);
   const pugi::xml_node clip = drawing_.index.find_reference(reference);
-  if (std::string_view(clip.name()) != "clipPath") {
+  if (std::string_view(clip.name()) != "clipPath" || !trimmed(rest).empty()) {
     drawing_.reporter.warn(
         element, "clip-path is \"" + std::string(value) + "\", which is no clipPath in the file");
     return {};
@@ -114,16 +142,20 @@ std::string ClipPaths::add(pugi::xml_node clip, const Scope& scope,
   inside.style = style_in_place(clip, drawing_.index.sheets());
   inside.viewport = scope.viewport;
   inside.page_from_user = scope.page_from_user;
+  open_.push_back(clip);
+  std::string outer_clip;
+  if (is_united(clip)) {
+    outer_clip = find_or_add(clip, inside, bounds);
+  } else if (!inside.style.clip_path.empty()) {
+    drawing_.reporter.warn(clip, "clip-path on a clipPath is not carried, as in librsvg");
+  }
+  if (is_in_bounds_units(clip)) {
+    inside.page_from_user = inside.page_from_user * user_from_bounds(bounds());
+  }
   if (inside.style.transform) {
     inside.page_from_user = inside.page_from_user * *inside.style.transform;
   }
-  open_.push_back(clip);
-  const std::string outer_clip = find_or_add(clip, inside, bounds);
-  if (is_in_bounds_units(clip)) {
-    inside.page_from_user = inside.page_from_user * user_from_bounds(bounds());
-    inside.viewport = {1, 1};
-  }
-  ClipCanvas canvas(*this, drawing_.reporter);
+  ClipCanvas canvas(*this, is_united(clip), drawing_.reporter);
   Walker(drawing_, canvas, WalkKind::kRepeated).draw_children(clip, inside);
   open_.pop_back();
   return builder_.add_clip(clip, canvas.take_parts(), outer_clip);

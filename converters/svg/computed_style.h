@@ -91,7 +91,6 @@ struct OwnProperties {
   std::string_view filter;
   BlendMode blend_mode = BlendMode::kNormal;
   bool isolated = false;
-  bool non_scaling_stroke = false;
   std::string_view baseline_shift;
   std::string_view text_decoration;
   std::string_view unicode_bidi;

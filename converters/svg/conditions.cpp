@@ -37,12 +37,6 @@ bool is_feature(std::string_view name) {
          std::ranges::find(kFeatures, name.substr(kPrefix.size())) != std::end(kFeatures);
 }
 
-// "en", and its regional forms.
-bool is_english(std::string_view language) {
-  return language.size() >= 2 && equal_ignoring_case(language.substr(0, 2), "en") &&
-         (language.size() == 2 || language[2] == '-' || language[2] == '_');
-}
-
 // Calls `test` on the parts of `text`; an empty list holds none.
 template <typename Test>
 std::size_t count_parts(std::string_view text, std::string_view separators, Test test) {
@@ -63,8 +57,7 @@ bool conditions_hold(pugi::xml_node element) {
   const auto is_missing = [](std::string_view feature) { return !is_feature(feature); };
   const std::string_view features = element.attribute("requiredFeatures").value();
   if (count_parts(features, " \t\r\n", is_missing) > 0) return false;
-  const pugi::xml_attribute languages = element.attribute("systemLanguage");
-  return !languages || count_parts(languages.value(), ",", is_english) > 0;
+  return !element.attribute("systemLanguage");
 }
 
 }  // namespace libstyle::svg

@@ -7,7 +7,8 @@
 namespace libstyle::svg {
 
 // Whether requiredExtensions, requiredFeatures and systemLanguage of an element, where it has them,
-// are met by a program that speaks English, draws static pictures and knows no extensions.
+// are met by a program that draws static pictures, knows no extensions and speaks no language: what
+// rsvg-convert is in the C locale.
 bool conditions_hold(pugi::xml_node element);
 
 }  // namespace libstyle::svg

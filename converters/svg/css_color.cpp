@@ -216,14 +216,14 @@ struct Argument {
 };
 
 bool take_argument(Scanner& scanner, Argument& argument) {
-  if (!scanner.take_number(argument.value)) return false;
+  if (!scanner.take_css_number(argument.value)) return false;
   argument.percent = scanner.take('%');
   if (argument.percent) argument.value /= 100;
   return true;
 }
 
 bool take_hue(Scanner& scanner, Argument& argument) {
-  if (!scanner.take_number(argument.value)) return false;
+  if (!scanner.take_css_number(argument.value)) return false;
   const std::string_view unit = scanner.take_word();
   const std::optional<double> degrees = unit.empty() ? 1 : degrees_per_unit(unit);
   argument.value *= degrees.value_or(0);

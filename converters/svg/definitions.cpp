@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/svg/definitions.h"
 
+#include <algorithm>
 #include <set>
 
 #include "converters/svg/carried_keys.h"
@@ -60,6 +61,12 @@ void write_transform(XmlWriter& xml, const Transform& page_from_gradient,
   }
 }
 
+// Whether the clip is more than the one shape that librsvg would make of it.
+bool is_composed(const ClipRecord& clip) {
+  return clip.parts.size() > 1 || !clip.clip.empty() ||
+         std::ranges::any_of(clip.parts, [](const ClipPart& part) { return !part.clip.empty(); });
+}
+
 template <typename Record>
 void write_carried(XmlWriter& xml, const Record& record) {
   const std::string carried = carried_keys(record);
@@ -92,6 +99,7 @@ void write_clip(XmlWriter& xml, const ClipRecord& clip, std::string_view id, con
   write_id(xml, clip, id);
   write_notes(xml, clip);
   write_clip_reference(xml, clip.clip, ids);
+  if (is_composed(clip)) xml.attribute(kCarriedParts, kUnited);
   write_carried(xml, clip);
   for (const ClipPart& part : clip.parts) {
     xml.begin("path");

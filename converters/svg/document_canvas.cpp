@@ -9,10 +9,10 @@
 #include "converters/svg/bounds_canvas.h"
 #include "converters/svg/carried_keys.h"
 #include "converters/svg/element_path.h"
+#include "converters/svg/measured_box.h"
 #include "converters/svg/pen_space.h"
 #include "converters/svg/shape_element.h"
 #include "converters/svg/shapes.h"
-#include "libstyle/geometry/path_segments.h"
 
 namespace libstyle::svg {
 namespace {
@@ -60,7 +60,9 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
   look.clip = clips_.find_or_add(element, scope, [&] {
     return scope.bounds ? *scope.bounds : measure_members(drawing_, element, scope);
   });
-  if (viewport) look.clip = add_viewport_clip(*viewport, look.clip, scope);
+  // A viewport within a clip is a group of its own: librsvg knows no clips on clips.
+  GroupLook inside;
+  if (viewport) (look.clip.empty() ? look : inside).clip = add_viewport_clip(*viewport, scope);
   if (is_plain(look) && !look.isolated && is_for_its_path(element)) {
     scope.path_clip = look.clip;
     return true;
@@ -69,24 +71,25 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
   if (!says_nothing || !is_outermost(element)) {
     scope.group = builder_.add_group(element, look, scope.group);
   }
+  scope.group = builder_.add_group({}, inside, scope.group);
   return true;
 }
 
-std::string DocumentCanvas::add_viewport_clip(const Rectangle& viewport,
-                                              const std::string& outer_clip, const Scope& scope) {
+std::string DocumentCanvas::add_viewport_clip(const Rectangle& viewport, const Scope& scope) {
   ClipPart part;
   part.path = rectangle_path(viewport, std::nullopt, std::nullopt);
   part.path.transform(scope.page_from_user);
   const bool finite = std::ranges::all_of(part.path.points(), [](Point p) { return is_finite(p); });
-  return finite ? builder_.add_clip({}, {std::move(part)}, outer_clip) : outer_clip;
+  return finite ? builder_.add_clip({}, {std::move(part)}, {}) : std::string();
 }
 
 void DocumentCanvas::draw_path(pugi::xml_node element, ElementKind kind, Path path,
                                const Scope& scope) {
   warn_not_carried(element, scope.style);
   PathRecord record;
-  record.clip =
-      clips_.find_or_add(element, scope, [&] { return scope.bounds.value_or(bounding_box(path)); });
+  record.clip = clips_.find_or_add(element, scope, [&] {
+    return scope.bounds ? *scope.bounds : measured_box(path, scope.page_from_user).value_or(Box{});
+  });
   const LengthContext context = length_context(scope.style, scope.viewport);
   record.style = painter_.painted_style(element, scope.style, scope.paint_context,
                                         {path, scope.bounds, scope.page_from_user, context});

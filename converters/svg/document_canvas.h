@@ -29,8 +29,7 @@ class DocumentCanvas final : public Canvas {
   void draw_path(pugi::xml_node element, ElementKind kind, Path path, const Scope& scope) override;
 
  private:
-  std::string add_viewport_clip(const Rectangle& viewport, const std::string& outer_clip,
-                                const Scope& scope);
+  std::string add_viewport_clip(const Rectangle& viewport, const Scope& scope);
   void add_path_and_markers(pugi::xml_node element, PathRecord record, const Scope& scope,
                             const std::function<void()>& draw_markers);
   std::string group_around(PathRecord& path, const Scope& scope, bool marked);

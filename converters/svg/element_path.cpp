@@ -59,7 +59,8 @@ Path line(pugi::xml_node element, const Resolver& px) {
   bool wrong = false;
   const auto length = [&](const char* name) {
     const pugi::xml_attribute attribute = element.attribute(name);
-    const std::optional<Length> given = attribute ? parse_length(attribute.value()) : Length{};
+    const std::optional<Length> given =
+        attribute ? parse_leading_length(attribute.value()) : Length{};
     wrong = wrong || !given;
     return given.value_or(Length{});
   };
@@ -93,7 +94,8 @@ void warn_wrong_lengths(pugi::xml_node element, Reporter& reporter) {
        {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2"}) {
     const pugi::xml_attribute attribute = element.attribute(name);
     const std::string_view value = trimmed(attribute.value());
-    if (value.empty() || value == "auto" || value == "inherit" || parse_length(value)) continue;
+    if (value.empty() || value == "auto" || value == "inherit" || parse_leading_length(value))
+      continue;
     return reporter.warn(element,
                          std::string(name) + " is no length: \"" + std::string(value) + '"');
   }

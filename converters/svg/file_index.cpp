@@ -17,6 +17,14 @@ pugi::xml_node next_in_file(pugi::xml_node node) {
   return node.next_sibling();
 }
 
+// Comments of CSS in attributes: all that are values of CSS, so not names, data and path data.
+bool may_hold_css_comments(pugi::xml_attribute attribute) {
+  const std::string_view name = attribute.name();
+  return std::string_view(attribute.value()).find("/*") != std::string_view::npos && name != "d" &&
+         name != "id" && name != "class" && !name.ends_with("href") && !name.starts_with("data-") &&
+         name.find(':') == name.npos;
+}
+
 }  // namespace
 
 FileIndex::FileIndex(const XmlFile& file, const std::string& last_sheet, std::size_t match_steps,
@@ -36,9 +44,9 @@ void FileIndex::visit(pugi::xml_node element, const XmlFile& file, Reporter& rep
                       const WarningHandler& warn) {
   const std::string_view id = element.attribute("id").value();
   if (!id.empty()) elements_.try_emplace(id, element);
-  pugi::xml_attribute style = element.attribute("style");
-  if (std::string_view(style.value()).find("/*") != std::string_view::npos) {
-    style.set_value(without_comments(style.value()).c_str());
+  for (pugi::xml_attribute attribute : element.attributes()) {
+    if (!may_hold_css_comments(attribute)) continue;
+    attribute.set_value(without_comments(attribute.value()).c_str());
   }
   const std::string_view name = element.name();
   if (name == "style") {
@@ -49,11 +57,6 @@ void FileIndex::visit(pugi::xml_node element, const XmlFile& file, Reporter& rep
 }
 
 void FileIndex::add_sheet(pugi::xml_node element, const XmlFile& file, const WarningHandler& warn) {
-  const std::string_view type = trimmed(element.attribute("type").value());
-  if (!type.empty() && !equal_ignoring_case(type.substr(0, type.find(';')), "text/css")) {
-    warn({file.place(element), "", "a style sheet of type " + std::string(type) + " is left out"});
-    return;
-  }
   std::string text;
   for (const pugi::xml_node child : element.children()) text += child.value();
   sheets_.add(text, file.place(element), warn);
@@ -75,7 +78,7 @@ pugi::xml_node FileIndex::find_target(pugi::xml_node element) const {
 std::string_view link_of(pugi::xml_node element) {
   pugi::xml_attribute link = element.attribute("href");
   if (!link) link = element.attribute("xlink:href");
-  return trimmed(link.value());
+  return link.value();
 }
 
 }  // namespace libstyle::svg

@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/svg/gradients.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "converters/svg/measured_box.h"
 #include "converters/svg/pen_space.h"
-#include "libstyle/geometry/path_segments.h"
 
 namespace libstyle::svg {
 namespace {
 
-bool keeps_axes(const Transform& map) {
-  return (map.b == 0 && map.c == 0) || (map.a == 0 && map.d == 0);
-}
-
-Box box_of(const PaintedShape& shape) {
-  return shape.bounds ? *shape.bounds : bounding_box(shape.path);
-}
-
-// The box of a shape in its user space. Of one that is turned or skewed it is the box around that
-// on the page, brought back, and so too large: librsvg measures shapes so, and gradients show it.
-// (Parts of a text have the box of the text.)
-std::optional<Box> measured_box(const PaintedShape& shape) {
-  if (shape.bounds || keeps_axes(shape.page_from_user)) return box_of(shape);
-  const std::optional<Transform> user_from_page = inverse(shape.page_from_user);
-  if (!user_from_page) return std::nullopt;
-  Path on_page = shape.path;
-  on_page.transform(shape.page_from_user);
-  const Box page_box = bounding_box(on_page);
-  Box box;
-  for (const double x : {page_box.low.x, page_box.high.x}) {
-    for (const double y : {page_box.low.y, page_box.high.y}) {
-      box.include((*user_from_page)(Point{x, y}));
-    }
-  }
-  return box;
+std::optional<Box> box_of(const PaintedShape& shape) {
+  return shape.bounds ? shape.bounds : measured_box(shape.path, shape.page_from_user);
 }
 
 // Brings the unit square to a box.
@@ -94,17 +73,72 @@ bool is_finite(const std::array<double, 12>& numbers) {
   return true;
 }
 
+// As Cairo sees it.
+bool has_no_extent(const std::variant<LinearGeometry, RadialGeometry>& geometry) {
+  constexpr double kLeast = std::numeric_limits<double>::epsilon();
+  if (const auto* linear = std::get_if<LinearGeometry>(&geometry)) {
+    return std::abs(linear->end.x - linear->start.x) < kLeast &&
+           std::abs(linear->end.y - linear->start.y) < kLeast;
+  }
+  const auto& radial = std::get<RadialGeometry>(geometry);
+  return std::abs(radial.radius - radial.focus_radius) < kLeast &&
+         (std::min(radial.radius, radial.focus_radius) < kLeast || radial.center == radial.focus);
+}
+
+// How much of a colour the stops are on average, each by the way to its neighbours on both sides,
+// over a repetition of the gradient; twice that.
+std::vector<double> stop_weights(const std::vector<GradientStop>& stops, Spread spread) {
+  const std::size_t last = stops.size() - 1;
+  std::vector<double> weights(stops.size());
+  if (spread == Spread::kPad || last == 0) {
+    weights.front() += 1;
+    weights.back() += 1;
+    return weights;
+  }
+  const bool turns = spread == Spread::kReflect;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double before = i > 0   ? stops[i - 1].offset
+                          : turns ? -stops[0].offset
+                                  : stops[last].offset - 1;
+    const double after = i < last ? stops[i + 1].offset
+                         : turns  ? 2 - stops[last].offset
+                                  : 1 + stops[0].offset;
+    weights[i] = after - before;
+  }
+  return weights;
+}
+
+// SVG wants the last colour here. librsvg leaves it to Cairo, which paints the mean of the first
+// and the last or, where the gradient repeats, of all; nothing for a radial gradient.
+Paint paint_without_extent(const GradientDefinition& definition, double& opacity) {
+  if (definition.radial) return NoPaint{};
+  const std::vector<double> weights = stop_weights(definition.stops, definition.spread);
+  std::array<double, 3> sums{};
+  double alpha = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const GradientStop& stop = definition.stops[i];
+    sums[0] += weights[i] * stop.color.red;
+    sums[1] += weights[i] * stop.color.green;
+    sums[2] += weights[i] * stop.color.blue;
+    alpha += weights[i] / 2 * stop.opacity;
+  }
+  const auto channel = [&](std::size_t i) {
+    return static_cast<std::uint8_t>(std::floor(sums[i] / 2 + 0.5));
+  };
+  opacity *= alpha;
+  return Color{channel(0), channel(1), channel(2)};
+}
+
 }  // namespace
 
-std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape& shape) {
+std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape& shape,
+                                      double& opacity) {
   const std::optional<GradientDefinition>& definition = this->definition(element);
   if (!definition) return std::nullopt;
   Transform page_from_units = shape.page_from_user;
   if (definition->in_bounding_box) {
-    const Box own = box_of(shape);
-    if (!(own.width() > 0 && own.height() > 0)) return std::nullopt;
-    const std::optional<Box> box = measured_box(shape);
-    if (!box) return std::nullopt;
+    const std::optional<Box> box = box_of(shape);
+    if (!box || !(box->width() > 0 && box->height() > 0)) return std::nullopt;
     page_from_units = page_from_units * box_transform(*box);
   }
   GradientRecord record;
@@ -113,6 +147,7 @@ std::optional<Paint> Gradients::paint(pugi::xml_node element, const PaintedShape
   record.geometry = resolve_geometry(*definition, shape.context);
   if (!is_finite(numbers_of(record)) || !inverse(record.page_from_gradient)) return std::nullopt;
   if (definition->stops.empty()) return NoPaint{};
+  if (has_no_extent(record.geometry)) return paint_without_extent(*definition, opacity);
   record.spread = definition->spread;
   record.stops = definition->stops;
   return PaintReference{record_id(element, std::move(record))};

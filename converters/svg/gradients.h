@@ -34,7 +34,8 @@ class Gradients {
   // none like it yet. A gradient without stops is no paint. Nothing when it cannot be used here,
   // and the paint to fall back to counts: its href is wrong, its transform or that of the shape has
   // no inverse, or the shape's box has no area.
-  std::optional<Paint> paint(pugi::xml_node element, const PaintedShape& shape);
+  // A gradient without extent is a colour; `opacity` takes its alpha.
+  std::optional<Paint> paint(pugi::xml_node element, const PaintedShape& shape, double& opacity);
 
  private:
   // The element, then the numbers of the transform and the geometry.

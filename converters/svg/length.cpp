@@ -31,7 +31,7 @@ bool take_unit(Scanner& scanner, LengthUnit& unit) {
 }
 
 bool take_length(Scanner& scanner, Length& length) {
-  return scanner.take_number(length.value) && take_unit(scanner, length.unit);
+  return scanner.take_css_number(length.value) && take_unit(scanner, length.unit);
 }
 
 double percentage_base(LengthAxis axis, const LengthContext& context) {
@@ -45,6 +45,14 @@ double percentage_base(LengthAxis axis, const LengthContext& context) {
       return std::sqrt((width * width + height * height) / 2);
   }
   return 0;
+}
+
+// Px are no unit of a share, but librsvg takes them.
+std::optional<double> to_share(std::optional<Length> length) {
+  if (!length) return std::nullopt;
+  const bool percent = length->unit == LengthUnit::kPercent;
+  if (!percent && length->unit != LengthUnit::kPx) return std::nullopt;
+  return std::clamp(percent ? length->value / 100 : length->value, 0.0, 1.0);
 }
 
 double px_per_unit(LengthUnit unit) {
@@ -81,6 +89,13 @@ std::optional<Length> parse_length(std::string_view text) {
   return length;
 }
 
+std::optional<Length> parse_leading_length(std::string_view text) {
+  Scanner scanner(trimmed(text));
+  Length length;
+  if (!take_length(scanner, length)) return std::nullopt;
+  return length;
+}
+
 std::optional<std::vector<Length>> parse_length_list(std::string_view text) {
   std::vector<Length> lengths;
   Scanner scanner(trimmed(text));
@@ -111,17 +126,14 @@ double resolve(Length length, LengthAxis axis, const LengthContext& context) {
 std::optional<double> parse_number(std::string_view text) {
   Scanner scanner(trimmed(text));
   double number = 0;
-  if (!scanner.take_number(number) || !scanner.at_end()) return std::nullopt;
+  if (!scanner.take_css_number(number) || !scanner.at_end()) return std::nullopt;
   return number;
 }
 
-std::optional<double> parse_opacity(std::string_view text) {
-  Scanner scanner(trimmed(text));
-  double number = 0;
-  if (!scanner.take_number(number)) return std::nullopt;
-  if (scanner.take('%')) number /= 100;
-  if (!scanner.at_end()) return std::nullopt;
-  return std::clamp(number, 0.0, 1.0);
+std::optional<double> parse_opacity(std::string_view text) { return to_share(parse_length(text)); }
+
+std::optional<double> parse_leading_opacity(std::string_view text) {
+  return to_share(parse_leading_length(text));
 }
 
 }  // namespace libstyle::svg

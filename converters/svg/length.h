@@ -38,6 +38,10 @@ std::optional<LengthUnit> length_unit(std::string_view name);
 // "10", "2.5cm", " 50% ". Nothing when the text is anything else.
 std::optional<Length> parse_length(std::string_view text);
 
+// As above, of which only the beginning needs to be a length: "10 px", "10,5" are 10. So librsvg
+// reads attributes that are no properties.
+std::optional<Length> parse_leading_length(std::string_view text);
+
 // Lengths separated by white space and commas, as in stroke-dasharray. Nothing when one is wrong.
 std::optional<std::vector<Length>> parse_length_list(std::string_view text);
 
@@ -49,5 +53,6 @@ std::optional<double> parse_number(std::string_view text);
 
 // A number or a percentage as a share, put into 0 .. 1.
 std::optional<double> parse_opacity(std::string_view text);
+std::optional<double> parse_leading_opacity(std::string_view text);
 
 }  // namespace libstyle::svg

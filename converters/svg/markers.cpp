@@ -37,15 +37,15 @@ bool assign_size(Length& target, const std::optional<Length>& size) {
 }
 
 bool read_units(std::string_view text, bool& scaled_by_stroke) {
-  scaled_by_stroke = text == "strokeWidth";
-  return scaled_by_stroke || text == "userSpaceOnUse";
+  scaled_by_stroke = equal_ignoring_case(text, "strokeWidth");
+  return scaled_by_stroke || equal_ignoring_case(text, "userSpaceOnUse");
 }
 
 bool read_attribute(std::string_view name, std::string_view value, MarkerAttributes& marker) {
-  if (name == "markerWidth") return assign_size(marker.width, parse_length(value));
-  if (name == "markerHeight") return assign_size(marker.height, parse_length(value));
-  if (name == "refX") return assign(marker.reference_x, parse_length(value));
-  if (name == "refY") return assign(marker.reference_y, parse_length(value));
+  if (name == "markerWidth") return assign_size(marker.width, parse_leading_length(value));
+  if (name == "markerHeight") return assign_size(marker.height, parse_leading_length(value));
+  if (name == "refX") return assign(marker.reference_x, parse_leading_length(value));
+  if (name == "refY") return assign(marker.reference_y, parse_leading_length(value));
   if (name == "viewBox") return assign(marker.view_box, parse_view_box(value));
   if (name == "preserveAspectRatio") return assign(marker.ratio, parse_aspect_ratio(value));
   if (name == "markerUnits") return read_units(value, marker.scaled_by_stroke);
@@ -93,15 +93,15 @@ std::optional<MarkerSpace> make_space(const MarkerAttributes& marker, const Comp
 
 // The direction that the marker's x axis gets.
 Vector orientation(std::string_view text, const MarkerVertex& vertex) {
-  if (text == "auto") return vertex.direction;
-  if (text == "auto-start-reverse") {
+  if (equal_ignoring_case(text, "auto")) return vertex.direction;
+  if (equal_ignoring_case(text, "auto-start-reverse")) {
     return vertex.place == MarkerPlace::kStart ? -vertex.direction : vertex.direction;
   }
   Scanner scanner(text);
   double angle = 0;
-  if (!scanner.take_number(angle)) return {1, 0};
+  if (!scanner.take_css_number(angle)) return {1, 0};
   const std::string_view unit = scanner.take_word();
-  const std::optional<double> degrees = unit.empty() ? 1 : degrees_per_unit(unit);
+  const std::optional<double> degrees = unit.empty() ? 1 : degrees_per_svg_unit(unit);
   return scanner.at_end() && degrees ? unit_vector_at(angle * *degrees) : Vector{1, 0};
 }
 

@@ -69,8 +69,10 @@ Page read_page(pugi::xml_node root, const ComputedStyle& style) {
   if (!view) return page;
   page.page_from_user = Transform{};
   if (view_box && page.width) {
-    page.page_from_user =
+    const auto map =
         viewport_from_view_box({0, 0, *page.width, *page.height}, *view_box, view->ratio);
+    if (!map) return page;  // a viewBox without size; librsvg goes on as if there were none
+    page.page_from_user = map;
     page.viewport = {view_box->width, view_box->height};
   }
   return page;

@@ -37,7 +37,7 @@ std::optional<Paint> Painter::resolve_paint(pugi::xml_node element, const Specif
                                             const PaintedShape& shape, double& opacity) {
   const pugi::xml_node server = index_.find_reference(specified.reference);
   if (is_gradient(server)) {
-    const std::optional<Paint> paint = gradients_.paint(server, shape);
+    const std::optional<Paint> paint = gradients_.paint(server, shape, opacity);
     if (paint && std::holds_alternative<NoPaint>(*paint)) return std::nullopt;
     if (paint) return paint;
   } else if (std::string_view(server.name()) == "pattern") {

@@ -127,6 +127,8 @@ class PathParser {
     if (!scanner_.take_number(arc.rotation_degrees)) return false;
     if (!take_flag(arc.large) || !take_flag(arc.clockwise) || !take_next_point(arc.end))
       return false;
+    const bool straight = arc.radius_x == 0 || arc.radius_y == 0;
+    if (straight) return line_to(arc.end);
     begin_subpath();
     if (arcs_whole_) {
       append_whole(arc);

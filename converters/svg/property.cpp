@@ -23,8 +23,6 @@ std::optional<SolidPaint> parse_solid(Text text) {
   if (equal_ignoring_case(text, "currentColor")) {
     return SolidPaint{SolidPaint::Kind::kCurrentColor, {}};
   }
-  // The colour of a profile may follow that of sRGB, which is the one we use.
-  text = trimmed(text.substr(0, text.find("icc-color(")));
   const std::optional<CssColor> color = parse_css_color(text);
   if (!color) return std::nullopt;
   return SolidPaint::of(*color);
@@ -46,8 +44,12 @@ std::optional<SpecifiedPaint> parse_paint(Text text) {
   }
   Text rest;
   paint.reference = take_url(text, rest);
+  const bool referred = rest.size() < text.size();
   rest = trimmed(rest);
-  if (!paint.reference.empty() && paint.reference.find('#') == Text::npos) return std::nullopt;
+  const std::size_t fragment = paint.reference.find('#');
+  if (referred && paint.reference.substr(std::min(fragment, paint.reference.size())).size() < 2) {
+    return std::nullopt;
+  }
   if (!paint.reference.empty() && rest.empty()) return paint;
   const std::optional<SolidPaint> solid = parse_solid(rest);
   if (!solid) return std::nullopt;
@@ -69,9 +71,10 @@ std::optional<std::vector<Length>> parse_dash_array(Text text) {
   return dashes;
 }
 
+// Below 1 is an error, but librsvg takes it: nothing is then pointed, as with 1.
 std::optional<double> parse_miter_limit(Text text) {
   const std::optional<double> limit = parse_number(text);
-  return limit && *limit >= 1 ? limit : std::nullopt;
+  return limit ? std::optional(std::max(1.0, *limit)) : std::nullopt;
 }
 
 // --- Setters ------------------------------------------------------------------------------------
@@ -113,6 +116,7 @@ template <auto Member>
 bool set_url(Style& style, const Style& /*parent*/, Text text) {
   Text rest;
   const Text url = take_url(text, rest);
+  if (!trimmed(rest).empty() && !url.empty()) return false;
   if (url.empty() && !equal_ignoring_case(text, "none")) return false;
   style.*Member = url;
   return true;
@@ -168,8 +172,11 @@ void copy_marker(Style& to, const Style& from) {
 }
 
 bool set_transform(Style& style, const Style& /*parent*/, Text text) {
-  return assign(style.transform, parse_transform_property(text, style.font_size));
+  return assign(style.transform, parse_transform_property(text));
 }
+
+// librsvg does not let transforms be inherited, not even by "inherit".
+void keep(Style& /*to*/, const Style& /*from*/) {}
 
 std::optional<FillRule> parse_fill_rule(Text text) {
   return find_keyword<FillRule>(text,
@@ -253,10 +260,6 @@ std::optional<bool> parse_isolation(Text text) {
   return find_keyword<bool>(text, {{"auto", false}, {"isolate", true}});
 }
 
-std::optional<bool> parse_vector_effect(Text text) {
-  return find_keyword<bool>(text, {{"none", false}, {"non-scaling-stroke", true}});
-}
-
 // --- The table, sorted by name ------------------------------------------------------------------
 
 template <auto Member, auto Parse>
@@ -328,9 +331,8 @@ constexpr Property kProperties[] = {
     property<&Style::text_anchor, parse_text_anchor>("text-anchor"),
     property<&Style::text_decoration, parse_words>("text-decoration"),
     property<&Style::text_orientation, parse_text_orientation>("text-orientation"),
-    {"transform", set_transform, copy<&Style::transform>},
+    {"transform", set_transform, keep},
     property<&Style::unicode_bidi, parse_words>("unicode-bidi"),
-    property<&Style::non_scaling_stroke, parse_vector_effect>("vector-effect"),
     property<&Style::visibility, parse_visibility>("visibility"),
     automatic_size<&Style::width>("width"),
     property<&Style::writing_mode, parse_writing_mode>("writing-mode"),
@@ -353,10 +355,6 @@ bool apply(const Property& property, std::string_view value, ComputedStyle& styl
   value = trimmed(value);
   if (equal_ignoring_case(value, "inherit")) {
     property.copy(style, parent);
-    return true;
-  }
-  if (equal_ignoring_case(value, "initial")) {
-    property.copy(style, ComputedStyle{});
     return true;
   }
   return property.set(style, parent, value);

@@ -40,6 +40,16 @@ bool Scanner::take_number(double& value) {
   return true;
 }
 
+bool Scanner::take_css_number(double& value) {
+  const char* const before = next_;
+  if (!take_number(value)) return false;
+  const std::string_view taken(before, next_);
+  const std::size_t point = taken.find('.');
+  if (point == taken.npos || (point + 1 < taken.size() && is_digit(taken[point + 1]))) return true;
+  next_ = before + point;
+  return Scanner(taken.substr(0, point)).take_number(value);
+}
+
 std::string_view Scanner::take_word() {
   const char* first = next_;
   if (first != end_ && is_digit(*first)) return {};

@@ -46,6 +46,8 @@ class Scanner {
   // ("1.5.5" is two), and an "e" without digits after it is left ("1em"). A number too large for a
   // double is not taken; one too small is 0.
   bool take_number(double& value);
+  // As above, as CSS has it: a point needs a digit after it, or the number ends before it.
+  bool take_css_number(double& value);
   // ASCII letters, digits, '-' and '_' that do not begin with a digit; may be empty.
   std::string_view take_word();
 

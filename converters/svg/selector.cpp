@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "converters/svg/file_index.h"
 #include "converters/svg/scanner.h"
 
 namespace libstyle::svg {
@@ -34,10 +35,23 @@ bool has_word(std::string_view list, std::string_view word) {
   return false;
 }
 
+std::string in_lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), to_lower);
+  return text;
+}
+
+bool holds(const AttributeTest& test, std::string_view value);
+
 bool holds(const AttributeTest& test, pugi::xml_node element) {
   const pugi::xml_attribute attribute = element.attribute(test.name.c_str());
   if (!attribute) return false;
-  const std::string_view value = attribute.value();
+  if (!test.ignores_case) return holds(test, std::string_view(attribute.value()));
+  AttributeTest lower = test;
+  lower.value = in_lower_case(test.value);
+  return holds(lower, std::string_view(in_lower_case(attribute.value())));
+}
+
+bool holds(const AttributeTest& test, std::string_view value) {
   using Kind = AttributeTest::Kind;
   switch (test.kind) {
     case Kind::kPresent:
@@ -84,11 +98,10 @@ bool is_language(std::string_view language, std::string_view range) {
          (language.size() == range.size() || language[range.size()] == '-');
 }
 
-// The language of an element is that of the nearest xml:lang or lang.
+// The language of an element is that of the nearest xml:lang.
 bool has_language(pugi::xml_node element, const std::vector<std::string>& ranges) {
   for (; element; element = element.parent()) {
-    pugi::xml_attribute language = element.attribute("xml:lang");
-    if (!language) language = element.attribute("lang");
+    const pugi::xml_attribute language = element.attribute("xml:lang");
     if (!language) continue;
     return std::ranges::any_of(
         ranges, [&](const std::string& range) { return is_language(language.value(), range); });

@@ -3,8 +3,8 @@
 //
 // Known: * type .class #id, [a] [a=v] [a~=v] [a|=v] [a^=v] [a$=v] [a*=v], the combinators for
 // descendants, children (>), next (+) and later (~) siblings, :first-child :last-child :only-child
-// :nth-child(an+b), the same four ending in -of-type, :root :empty :lang() :not(). Those that speak
-// of a reader's doings (:hover, :link and their like) are read and match nothing.
+// :nth-child(an+b), the same four ending in -of-type, :root :empty :lang() :link :not(). Those that
+// speak of a reader's doings (:hover, :visited and their like) are read and match nothing.
 #pragma once
 
 #include <compare>
@@ -24,6 +24,7 @@ struct AttributeTest {
   std::string name;
   Kind kind = Kind::kPresent;
   std::string value;
+  bool ignores_case = false;  // [a=v i]
 };
 
 struct CompoundSelector;

@@ -112,6 +112,8 @@ class SelectorParser {
     scanner_.skip_spaces();
     test.value = take_string_or_identifier(scanner_);
     scanner_.skip_spaces();
+    test.ignores_case = scanner_.take('i') || scanner_.take('I');
+    scanner_.skip_spaces();
     return scanner_.take(']');
   }
 
@@ -141,7 +143,7 @@ class SelectorParser {
       pseudo.kind = Kind::kRoot;
     } else if (name == "empty") {
       pseudo.kind = Kind::kEmpty;
-    } else if (name == "link") {
+    } else if (name == "link" || name == "any-link") {
       pseudo.kind = Kind::kLink;
     } else if (name == "lang") {
       pseudo.kind = Kind::kLanguage;
@@ -180,8 +182,7 @@ class SelectorParser {
   }
 
   static bool is_never(std::string_view name) {
-    constexpr std::string_view kNames[] = {"any-link", "visited", "hover",
-                                           "focus",    "active",  "target"};
+    constexpr std::string_view kNames[] = {"visited", "hover", "focus", "active", "target"};
     return std::ranges::find(kNames, name) != std::end(kNames);
   }
 

@@ -91,14 +91,25 @@ Path polygon_path(const std::vector<Point>& points) {
   return path;
 }
 
+// As librsvg reads them: after a point comes white space, or one sign or number that is passed
+// over, and then maybe a comma. So "1,1,,2,2" is right, "1-1-2 2" and "1 1 , 2 2" are not.
 PointList parse_points(std::string_view text) {
-  const NumberList list = parse_number_list(text);
   PointList result;
-  result.points.reserve(list.numbers.size() / 2);
-  for (std::size_t i = 0; i + 1 < list.numbers.size(); i += 2) {
-    result.points.push_back({list.numbers[i], list.numbers[i + 1]});
+  Scanner scanner(trimmed(text));
+  while (!scanner.at_end()) {
+    Point point;
+    scanner.skip_spaces();
+    if (!scanner.take_css_number(point.x)) return result;
+    scanner.skip_separator();
+    if (!scanner.take_css_number(point.y)) return result;
+    result.points.push_back(point);
+    if (scanner.at_end() || is_space(scanner.peek())) continue;
+    double passed_over = 0;
+    if (!scanner.take_css_number(passed_over)) scanner.advance();
+    scanner.skip_separator();
+    if (scanner.at_end()) return result;
   }
-  result.complete = list.complete && list.numbers.size() % 2 == 0;
+  result.complete = true;
   return result;
 }
 

@@ -50,14 +50,11 @@ std::optional<double> uniform_scale(const Transform& map) {
 bool set_stroke_geometry(Style& style, const ComputedStyle& computed, const LengthContext& context,
                          const Transform& page_from_user) {
   Style pen = style;
-  double scale = 1;
-  if (!computed.non_scaling_stroke) {
-    const std::optional<double> uniform = uniform_scale(page_from_user);
-    scale = uniform.value_or(1);
-    if (!uniform) {
-      pen.stroke_transform = page_from_user;
-      pen.stroke_transform->e = pen.stroke_transform->f = 0;
-    }
+  const std::optional<double> uniform = uniform_scale(page_from_user);
+  const double scale = uniform.value_or(1);
+  if (!uniform) {
+    pen.stroke_transform = page_from_user;
+    pen.stroke_transform->e = pen.stroke_transform->f = 0;
   }
   const double width = resolve(computed.stroke_width, LengthAxis::kDiagonal, context);
   pen.stroke_width = scale * std::max(0.0, width);  // a negative width draws nothing

@@ -19,11 +19,11 @@ bool take_important(std::string_view& value) {
   return true;
 }
 
+// Names are in lower case, for librsvg.
 std::optional<Declaration> parse_declaration(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  std::string name(trimmed(text.substr(0, colon)));
-  std::ranges::transform(name, name.begin(), to_lower);
+  const std::string_view name = trimmed(text.substr(0, colon));
   Declaration declaration{find_property(name), trimmed(text.substr(colon + 1))};
   declaration.important = take_important(declaration.value);
   if (declaration.property == nullptr) return std::nullopt;

@@ -25,11 +25,12 @@ void draw_root(Drawing& drawing, DocumentBuilder& builder, const Page& page,
                const ComputedStyle& style) {
   Scope scope;
   scope.style = style;
-  scope.page_from_user = *page.page_from_user;
-  if (style.transform) scope.page_from_user = scope.page_from_user * *style.transform;
+  scope.page_from_user = style.transform.value_or(Transform{});
   scope.viewport = page.viewport;
   DocumentCanvas canvas(drawing, builder);
+  // Transform and clip are those of the page, around the viewBox.
   canvas.open_group(drawing.file.root(), scope, std::nullopt);
+  scope.page_from_user = scope.page_from_user * *page.page_from_user;
   Walker(drawing, canvas, WalkKind::kFirst).draw_children(drawing.file.root(), scope);
 }
 

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "converters/svg/angle.h"
-#include "converters/svg/length.h"
 #include "converters/svg/scanner.h"
 
 namespace libstyle::svg {
@@ -70,8 +69,7 @@ constexpr Function kFunctions[] = {
 
 class TransformParser {
  public:
-  TransformParser(std::string_view text, bool css, double font_size)
-      : scanner_(trimmed(text)), css_(css), font_size_(font_size) {}
+  TransformParser(std::string_view text, bool css) : scanner_(trimmed(text)), css_(css) {}
 
   std::optional<Transform> parse() {
     Transform result;
@@ -111,34 +109,28 @@ class TransformParser {
       if (count == function.most || !take_argument(function.first, arguments[count++]))
         return false;
     } while (take_separator());
-    return scanner_.take(')') && count >= function.least;
+    const bool closed = scanner_.take(')') || scanner_.at_end();  // CSS closes what is left open
+    return closed && count >= function.least;
   }
 
   // Whether another argument must follow.
   bool take_separator() {
     const bool comma = scanner_.skip_separator();
-    return comma || (!css_ && scanner_.peek() != ')');
+    return comma || (!css_ && scanner_.peek() != ')' && !scanner_.at_end());
   }
 
   bool take_argument(Argument kind, double& value) {
-    if (!scanner_.take_number(value)) return false;
+    if (!scanner_.take_css_number(value)) return false;
     if (!css_) return true;
     if (scanner_.peek() == '%') return false;
     const std::string_view unit = scanner_.take_word();
     if (unit.empty()) return true;
-    if (kind == Argument::kLength) return scale_length(unit, value);
+    if (kind == Argument::kLength) return equal_ignoring_case(unit, "px");  // as in librsvg
     return kind == Argument::kAngle && scale_angle(unit, value);
   }
 
-  bool scale_length(std::string_view unit, double& value) const {
-    const std::optional<LengthUnit> known = length_unit(unit);
-    if (!known) return false;
-    value = resolve({value, *known}, LengthAxis::kDiagonal, {0, 0, font_size_});
-    return true;
-  }
-
   static bool scale_angle(std::string_view unit, double& value) {
-    const std::optional<double> degrees = degrees_per_unit(unit);
+    const std::optional<double> degrees = degrees_per_svg_unit(unit);
     if (!degrees) return false;
     value *= *degrees;
     return true;
@@ -146,18 +138,17 @@ class TransformParser {
 
   Scanner scanner_;
   bool css_;
-  double font_size_;
 };
 
 }  // namespace
 
 std::optional<Transform> parse_transform_attribute(std::string_view text) {
-  return TransformParser(text, false, 0).parse();
+  return TransformParser(text, false).parse();
 }
 
-std::optional<Transform> parse_transform_property(std::string_view text, double font_size) {
+std::optional<Transform> parse_transform_property(std::string_view text) {
   if (trimmed(text) == "none") return Transform{};
-  return TransformParser(text, true, font_size).parse();
+  return TransformParser(text, true).parse();
 }
 
 }  // namespace libstyle::svg

@@ -14,9 +14,10 @@ namespace libstyle::svg {
 // is wrong: one fault makes the whole list invalid, and the element is drawn as if it had none.
 std::optional<Transform> parse_transform_attribute(std::string_view text);
 
-// "translate(10px, 2em) rotate(.25turn)": arguments separated by commas, lengths and angles with
-// units or, as SVG programs write them, without; also translateX, translateY, scaleX, scaleY, skew,
-// and "none". Nothing when any part is wrong, or is a percentage or a map of three dimensions.
-std::optional<Transform> parse_transform_property(std::string_view text, double font_size = 16);
+// "translate(10px, 20px) rotate(45deg)": arguments separated by commas, lengths in px, angles with
+// units or, as SVG programs write them, both without; also translateX, translateY, scaleX, scaleY,
+// skew, and "none". Nothing when any part is wrong, or is a percentage or a map of three
+// dimensions.
+std::optional<Transform> parse_transform_property(std::string_view text);
 
 }  // namespace libstyle::svg

@@ -46,7 +46,7 @@ std::optional<Rectangle> parse_view_box(std::string_view text) {
   Scanner scanner(trimmed(text));
   Rectangle box;
   for (double* const number : {&box.x, &box.y, &box.width, &box.height}) {
-    if (!scanner.take_number(*number)) return std::nullopt;
+    if (!scanner.take_css_number(*number)) return std::nullopt;
     if (scanner.peek() == '%' || !scanner.take_word().empty()) return std::nullopt;
     scanner.skip_separator();
   }

@@ -40,6 +40,12 @@ Rectangle viewport_of(const Scope& scope) {
           resolve(scope.style.height.value_or(kWhole), LengthAxis::kVertical, context)};
 }
 
+// librsvg clips a symbol to its viewBox where the `use` says so, and where the symbol itself says
+// that it is not to be clipped, but not where it says nothing or that it is.
+bool symbol_clips(const ComputedStyle& symbol, const ComputedStyle& use) {
+  return use.overflow == Overflow::kHidden || symbol.overflow == Overflow::kVisible;
+}
+
 // Fonts have a rule of their own for what is inside, and their edges are not those of shapes
 // (SVG 1.1, section 11.7.3).
 void set_rules_of_fonts(ComputedStyle& style) {
@@ -154,7 +160,7 @@ void Walker::draw_use(pugi::xml_node element, Scope& scope) {
     return drawing_.reporter.warn(
         element, "refers to \"" + std::string(link_of(element)) + "\", which is not in the file");
   }
-  if (std::ranges::find(targets_, target) != targets_.end()) {
+  if (std::ranges::find(uses_, element) != uses_.end()) {
     return drawing_.reporter.warn(element, "refers to itself; it is left out");
   }
   const std::optional<Rectangle> viewport = read_use_viewport(element, scope);
@@ -167,15 +173,28 @@ void Walker::draw_use(pugi::xml_node element, Scope& scope) {
         scope.page_from_user * Transform::translation({viewport->x, viewport->y});
   }
   if (!canvas_.open_group(element, scope, std::nullopt)) return;
-  scope.paint_context = paints_of(scope.style, scope.paint_context);
-  targets_.push_back(target);
-  if (is_symbol) {
-    draw_symbol(target, element, scope, *viewport);
+  draw_target(target, element, scope, *viewport);
+}
+
+void Walker::draw_target(pugi::xml_node target, pugi::xml_node use, const Scope& scope,
+                         const Rectangle& viewport) {
+  Scope inside = scope;
+  inside.paint_context = paints_of(scope.style, scope.paint_context);
+  uses_.push_back(use);
+  if (std::string_view(target.name()) == "symbol") {
+    draw_symbol(target, use, inside, viewport);
   } else {
     count_node(target);
-    draw(target, scope);
+    draw(target, inside);
   }
-  targets_.pop_back();
+  uses_.pop_back();
+}
+
+void Walker::draw_members(pugi::xml_node element, const Scope& scope) {
+  if (std::string_view(element.name()) != "use") return draw_children(element, scope);
+  const pugi::xml_node target = drawing_.index.find_target(element);
+  const std::optional<Rectangle> viewport = read_use_viewport(element, scope);
+  if (target && viewport) draw_target(target, element, scope, *viewport);
 }
 
 // Nothing where the use is not drawn: a size is 0, or an attribute is wrong. Width and height
@@ -185,7 +204,8 @@ std::optional<Rectangle> Walker::read_use_viewport(pugi::xml_node use, const Sco
   bool wrong = false;
   const auto length = [&](const char* name, LengthAxis axis, Length initial) {
     const pugi::xml_attribute attribute = use.attribute(name);
-    const std::optional<Length> given = attribute ? parse_length(attribute.value()) : initial;
+    const std::optional<Length> given =
+        attribute ? parse_leading_length(attribute.value()) : initial;
     wrong = wrong || !given;
     return resolve(given.value_or(initial), axis, context);
   };
@@ -201,18 +221,28 @@ std::optional<Rectangle> Walker::read_use_viewport(pugi::xml_node use, const Sco
   return viewport;
 }
 
-// SVG 1.1 gives a symbol neither display nor transform. What is wrong in its view is not looked at.
+// As librsvg has it, a symbol has neither display nor transform nor anything that groups have, and
+// its percentages are those of the viewport around it unless it has a viewBox. What is wrong in its
+// view is not looked at; a viewBox without size leaves what is in it where the symbol is used.
 void Walker::draw_symbol(pugi::xml_node symbol, pugi::xml_node use, const Scope& scope,
                          const Rectangle& viewport) {
   Scope inner = enter(symbol, scope);
   check_depth(use, inner);
   count_node(symbol);
+  const bool clipped = symbol_clips(inner.style, scope.style);
+  static_cast<OwnProperties&>(inner.style) = {};
   inner.page_from_user = scope.page_from_user;
-  inner.style.display = Display::kInline;
-  draw_viewport(symbol, inner, viewport,
-                {parse_view_box(symbol.attribute("viewBox").value()),
-                 parse_aspect_ratio(symbol.attribute("preserveAspectRatio").value())
-                     .value_or(AspectRatio{})});
+  const AspectRatio ratio =
+      parse_aspect_ratio(symbol.attribute("preserveAspectRatio").value()).value_or(AspectRatio{});
+  const std::optional<Rectangle> box = parse_view_box(symbol.attribute("viewBox").value());
+  if (!box) {
+    inner.page_from_user = inner.page_from_user * Transform::translation({viewport.x, viewport.y});
+  } else if (const auto map = viewport_from_view_box(viewport, *box, ratio)) {
+    inner.page_from_user = inner.page_from_user * *map;
+    inner.viewport = {box->width, box->height};
+  }
+  const auto clip = box && clipped ? box : std::nullopt;
+  if (canvas_.open_group(symbol, inner, clip)) draw_children(symbol, inner);
 }
 
 // --- Viewports and shapes -----------------------------------------------------------------------
@@ -226,7 +256,10 @@ void Walker::draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle
     viewport_from_inside = viewport_from_view_box(viewport, *view.view_box, view.ratio);
     inside = {view.view_box->width, view.view_box->height};
   }
-  if (!viewport_from_inside) return;
+  if (!viewport_from_inside) {  // a viewBox without size; librsvg goes on as if there were none
+    viewport_from_inside = Transform{};
+    inside = scope.viewport;
+  }
   const bool clipped = scope.style.overflow == Overflow::kHidden;
   const auto clip = clipped ? std::optional(viewport) : std::nullopt;
   if (!canvas_.open_group(element, scope, clip)) return;
@@ -320,7 +353,7 @@ void Walker::check_depth(pugi::xml_node element, const Scope& scope) const {
 
 // What is passed over counts too: it takes its time each time.
 void Walker::count_node(pugi::xml_node node) {
-  if (kind_ == WalkKind::kRepeated || !targets_.empty()) count_used(drawing_, node);
+  if (kind_ == WalkKind::kRepeated || !uses_.empty()) count_used(drawing_, node);
 }
 
 void Walker::count_points(pugi::xml_node element, const Path& path) {

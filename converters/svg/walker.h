@@ -41,6 +41,9 @@ class Walker {
   // The element itself has been entered: `scope` is its own.
   void draw_children(pugi::xml_node element, const Scope& scope);
 
+  // As above, where what a `use` refers to counts as its child.
+  void draw_members(pugi::xml_node element, const Scope& scope);
+
  private:
   void draw(pugi::xml_node element, const Scope& parent);
   void draw_group(pugi::xml_node element, Scope& scope);
@@ -48,6 +51,8 @@ class Walker {
   void draw_nested_svg(pugi::xml_node element, Scope& scope);
   void draw_use(pugi::xml_node element, Scope& scope);
   std::optional<Rectangle> read_use_viewport(pugi::xml_node use, const Scope& scope);
+  void draw_target(pugi::xml_node target, pugi::xml_node use, const Scope& scope,
+                   const Rectangle& viewport);
   void draw_symbol(pugi::xml_node symbol, pugi::xml_node use, const Scope& scope,
                    const Rectangle& viewport);
   void draw_viewport(pugi::xml_node element, Scope& scope, const Rectangle& viewport,
@@ -66,7 +71,7 @@ class Walker {
   Drawing& drawing_;
   Canvas& canvas_;
   WalkKind kind_;
-  std::vector<pugi::xml_node> targets_;  // of the use elements that are being drawn
+  std::vector<pugi::xml_node> uses_;  // the use elements that are being drawn
 };
 
 }  // namespace libstyle::svg

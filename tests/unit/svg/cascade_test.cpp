@@ -66,6 +66,29 @@ TEST(Cascade, DropsWrongValuesAndKeepsEarlierOnes) {
   EXPECT_EQ(fill("path{fill:red} .a{fill:rgb(1)}", "<path class='a' d='M0 0H1'/>"), kRed);
 }
 
+TEST(Cascade, KnowsNamesInLowerCaseOnly) {
+  EXPECT_EQ(fill("path{FILL:red}", "<path d='M0 0H1' fill='blue' style='Fill:red'/>"), kBlue);
+}
+
+TEST(Cascade, TakesBlendModesFromStyleAlone) {
+  EXPECT_THAT(read("<path d='M0 0H1' mix-blend-mode='multiply'/>").groups(), testing::IsEmpty());
+}
+
+TEST(Cascade, DoesNotKnowTheWordInitial) {
+  EXPECT_EQ(fill("", "<g fill='red'><path d='M0 0H1' fill='initial'/></g>"), kRed);
+}
+
+TEST(Cascade, ReadsColorsOfProfilesAsErrors) {
+  EXPECT_EQ(fill("", "<g fill='red'><path d='M0 0H1' fill='blue icc-color(a, 1)'/></g>"), kRed);
+}
+
+TEST(Cascade, ReadsSheetsOfAnyTypeAndCommentsInAttributes) {
+  EXPECT_EQ(
+      fill_of(read("<style type='text/plain'>path{fill:red}</style><path d='M0 0H1'/>").path()),
+      kRed);
+  EXPECT_EQ(fill("", "<path d='M0 0H1' fill='/**/red'/>"), kRed);
+}
+
 TEST(Cascade, ReadsSheetsInCommentsAndCdata) {
   EXPECT_EQ(fill("<![CDATA[ path{fill:red} ]]>", "<path d='M0 0H1'/>"), kRed);
   EXPECT_EQ(fill("/* path{fill:blue} */ path{/**/fill/**/:/**/red}", "<path d='M0 0H1'/>"), kRed);

@@ -33,10 +33,23 @@ TEST(ClipPaths, GatherTheInsideInUserSpace) {
       std::string(kPath) + "</g>");
   EXPECT_EQ(reading.path().clip, "c");
   const ClipRecord& record = clip(reading, "c");
+  ASSERT_EQ(record.parts.size(), 1U);
+  EXPECT_EQ(to_path_data(record.parts[0].path), "M5 5 L7 5 L7 8 L5 8 Z M5 5 L6 6");
+  EXPECT_EQ(record.parts[0].rule, FillRule::kEvenOdd);
+}
+
+TEST(ClipPaths, AreUnitedAndClippedWhereTheySaySo) {
+  const Reading reading = read(
+      "<g xmlns:curves='urn:libstyle:curves'><clipPath id='d'><circle r='5'/></clipPath>"
+      "<clipPath id='c' clip-path='url(#d)' curves:parts='united'><rect width='2' height='3'/>"
+      "<path d='M0 0L1 1' clip-rule='evenodd' clip-path='url(#d)'/></clipPath>" +
+      std::string(kPath) + "</g>");
+  const ClipRecord& record = clip(reading, "c");
   ASSERT_EQ(record.parts.size(), 2U);
-  EXPECT_EQ(to_path_data(record.parts[0].path), "M5 5 L7 5 L7 8 L5 8 Z");
   EXPECT_EQ(record.parts[0].rule, FillRule::kNonZero);
   EXPECT_EQ(record.parts[1].rule, FillRule::kEvenOdd);
+  EXPECT_EQ(record.clip, "d");
+  EXPECT_EQ(record.parts[1].clip, "d");
 }
 
 TEST(ClipPaths, ComeBeforeWhatTheyClip) {
@@ -67,14 +80,35 @@ TEST(ClipPaths, AreSharedByNeighboursInTheSamePlace) {
   EXPECT_EQ(moved.paths().at(1)->clip, "c~2");
 }
 
-TEST(ClipPaths, AreClippedThemselves) {
+TEST(ClipPaths, AreNotClippedThemselves) {
   const Reading reading = read(
       "<clipPath id='d'><circle r='5'/></clipPath>"
       "<clipPath id='c' clip-path='url(#d)'>"
       "<rect width='2' height='3' clip-path='url(#d)'/></clipPath>" +
       std::string(kPath));
-  EXPECT_EQ(clip(reading, "c").clip, "d");
-  EXPECT_EQ(clip(reading, "c").parts.at(0).clip, "d");
+  EXPECT_EQ(clip(reading, "c").clip, "");
+  EXPECT_EQ(clip(reading, "c").parts.at(0).clip, "");
+  EXPECT_THAT(reading.warning_texts(),
+              testing::ElementsAre(HasSubstr("clip-path on a clipPath is not carried"),
+                                   HasSubstr("clip-path within a clipPath is not carried")));
+}
+
+TEST(ClipPaths, TransformWithinTheUnitsOfABox) {
+  EXPECT_EQ(
+      to_path_data(clip(read("<clipPath id='c' clipPathUnits='objectBoundingBox'"
+                             " transform='translate(.5)'><rect width='1' height='1'/></clipPath>" +
+                             std::string(kPath)),
+                        "c")
+                       .parts.at(0)
+                       .path),
+      "M5 0 L15 0 L15 10 L5 10 Z");
+}
+
+TEST(ClipPaths, MeasureWhatAUseDraws) {
+  const Reading reading = read(
+      "<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='1' height='1'/></clipPath>"
+      "<defs><path id='p' d='M0 0H9V8'/></defs><use href='#p' x='5' clip-path='url(#c)'/>");
+  EXPECT_EQ(to_path_data(clip(reading, "c").parts.at(0).path), "M5 0 L14 0 L14 8 L5 8 Z");
 }
 
 TEST(ClipPaths, LeaveOutWhatIsHidden) {
@@ -96,11 +130,15 @@ TEST(ClipPaths, DrawWhatUseRefersTo) {
             "M5 0 L6 1");
 }
 
-TEST(ClipPaths, JoinTheViewportOfTheirElement) {
+TEST(ClipPaths, StandAroundTheViewportOfTheirElement) {
   const Reading reading = read(
       "<clipPath id='c'><circle r='5'/></clipPath>"
       "<svg clip-path='url(#c)' width='10' height='10'><path d='M0 0L1 1'/></svg>");
-  EXPECT_EQ(clip(reading, reading.group().clip).clip, "c");
+  ASSERT_EQ(reading.groups().size(), 2U);
+  EXPECT_EQ(reading.groups()[0]->clip, "c");
+  EXPECT_EQ(to_path_data(clip(reading, reading.groups()[1]->clip).parts.at(0).path),
+            "M0 0 L10 0 L10 10 L0 10 Z");
+  EXPECT_EQ(reading.groups()[1]->parent, reading.groups()[0]->id);
 }
 
 TEST(ClipPaths, OfTheOutermostElementMakeItAGroup) {
@@ -122,21 +160,23 @@ TEST(ClipPaths, AreWarnedAboutWhereTheyLeadNowhere) {
 
 TEST(ClipPaths, EndWhereTheyReferToThemselves) {
   const Reading reading = read(
-      "<clipPath id='c' clip-path='url(#c)'>"
-      "<rect width='2' height='3' clip-path='url(#c)'/></clipPath>" +
-      std::string(kPath));
+      "<g xmlns:curves='urn:libstyle:curves'><clipPath id='c' clip-path='url(#c)'"
+      " curves:parts='united'><rect width='2' height='3' clip-path='url(#c)'/></clipPath>" +
+      std::string(kPath) + "</g>");
   EXPECT_EQ(clip(reading, "c").clip, "");
   EXPECT_THAT(reading.warning_texts(), testing::Contains(HasSubstr("refers to itself")));
 }
 
 // Every level has two parts, each clipped by the level before at a place of its own.
 TEST(ClipPaths, EndInAnErrorWhereTheyMultiplyWithoutEnd) {
-  std::string text = "<svg><clipPath id='c0'><rect width='1' height='1'/></clipPath>";
+  std::string text =
+      "<svg xmlns:curves='urn:libstyle:curves'><clipPath id='c0'><rect width='1' "
+      "height='1'/></clipPath>";
   for (int i = 1; i <= 30; ++i) {
     const std::string part =
         "<rect width='1' height='1' clip-path='url(#c" + std::to_string(i - 1) + ")'";
-    text += "<clipPath id='c" + std::to_string(i) + "'>" + part + " transform='scale(2)'/>" + part +
-            " transform='translate(1)'/></clipPath>";
+    text += "<clipPath curves:parts='united' id='c" + std::to_string(i) + "'>" + part +
+            " transform='scale(2)'/>" + part + " transform='translate(1)'/></clipPath>";
   }
   SvgReadOptions options;
   options.limits.used_elements = 10'000;

@@ -133,6 +133,51 @@ TEST(Gradients, IgnoreValuesThatAreWrong) {
   EXPECT_EQ(gradient.page_from_gradient, (Transform{40, 0, 0, 60, 10, 20}));
 }
 
+TEST(Gradients, StopReadingAtAnAttributeThatIsWrong) {
+  const GradientRecord common = gradient_of(read(
+      "<linearGradient id='g' x1='.5' spreadMethod='x'>" + kStops + "</linearGradient>" + kSquare));
+  EXPECT_EQ(std::get<LinearGeometry>(common.geometry), (LinearGeometry{{0, 0}, {1, 0}}));
+  const GradientRecord order = gradient_of(read("<linearGradient id='g' x1='.5' y1='x' x2='.7'>" +
+                                                kStops + "</linearGradient>" + kSquare));
+  EXPECT_EQ(std::get<LinearGeometry>(order.geometry), (LinearGeometry{{0.5, 0}, {1, 0}}));
+}
+
+// As Cairo paints them: the mean of the ends, or of the whole where it repeats.
+TEST(Gradients, WithoutLengthAreOneColor) {
+  const std::string stops =
+      "<stop stop-color='#00f'/><stop offset='.5' stop-color='#f00'/>"
+      "<stop offset='1' stop-color='#00f'/></linearGradient>";
+  EXPECT_EQ(fill_of("<linearGradient id='g' x2='0'>" + kStops + "</linearGradient>"),
+            Paint(Color{128, 0, 128, 255}));
+  EXPECT_EQ(fill_of("<linearGradient id='g' x2='0'>" + stops), Paint(Color{0, 0, 255, 255}));
+  for (const std::string spread : {"repeat", "reflect"}) {
+    EXPECT_EQ(fill_of("<linearGradient id='g' x2='0' spreadMethod='" + spread + "'>" + stops),
+              Paint(Color{128, 0, 128, 255}));
+  }
+}
+
+TEST(Gradients, WithoutLengthGiveTheirMeanAlphaToTheFill) {
+  const Reading reading = read(
+      "<linearGradient id='g' x2='0'><stop stop-opacity='.5'/><stop offset='1'/>"
+      "</linearGradient>" +
+      kSquare);
+  EXPECT_EQ(reading.path().style.fill_opacity, 0.75);
+}
+
+TEST(Gradients, WithoutRadiusPaintNothing) {
+  const std::string stops = kStops + "</radialGradient>";
+  EXPECT_EQ(fill_of("<radialGradient id='g' r='0'>" + stops), Paint(NoPaint{}));
+  EXPECT_EQ(fill_of("<radialGradient id='g' r='0' spreadMethod='repeat'>" + stops),
+            Paint(NoPaint{}));
+}
+
+TEST(Gradients, MeasureNoMovesThatLeadNowhere) {
+  const GradientRecord gradient =
+      gradient_of(read("<linearGradient id='g'>" + kStops +
+                       "</linearGradient><path d='M9 9M0 0H10V20M99 99' fill='url(#g)'/>"));
+  EXPECT_EQ(gradient.page_from_gradient, (Transform{10, 0, 0, 20, 0, 0}));
+}
+
 // The box of the square on the page is 20 wide: turned back by an eighth it is 10 sqrt(2) sqrt(2).
 TEST(Gradients, MeasureTurnedShapesOnThePage) {
   const GradientRecord gradient =

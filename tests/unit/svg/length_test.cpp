@@ -47,10 +47,16 @@ TEST(Length, TakesUnitsInAnyCaseAndSpaceAround) {
 }
 
 TEST(Length, RefusesAnythingElse) {
-  for (const char* text :
-       {"", "px", "5 px", "5px 6px", "5parsec", "1e999", "nan", "inf", "--5", "+-5", "5,", "5%%"}) {
+  for (const char* text : {"", "px", "5 px", "5px 6px", "5parsec", "1e999", "nan", "inf", "--5",
+                           "5.", "+-5", "5,", "5%%"}) {
     EXPECT_EQ(parse_length(text), std::nullopt) << text;
   }
+}
+
+TEST(Length, OfAnAttributeMayBeFollowedByAnything) {
+  EXPECT_EQ(parse_leading_length("5 px"), Length{5});
+  EXPECT_EQ(parse_leading_length("5.,1"), Length{5});
+  EXPECT_EQ(parse_leading_length("5parsec"), std::nullopt);
 }
 
 TEST(LengthList, IsSeparatedBySpaceOrOneComma) {
@@ -74,7 +80,10 @@ TEST(Opacity, IsPutBetweenZeroAndOne) {
   EXPECT_EQ(parse_opacity("25%"), 0.25);
   EXPECT_EQ(parse_opacity("7"), 1);
   EXPECT_EQ(parse_opacity("-7%"), 0);
+  EXPECT_EQ(parse_opacity(".5px"), 0.5);
   EXPECT_EQ(parse_opacity("half"), std::nullopt);
+  EXPECT_EQ(parse_opacity("1em"), std::nullopt);
+  EXPECT_EQ(parse_leading_opacity("50% or so"), 0.5);
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ TEST(Markers, TurnWithThePath) {
   EXPECT_EQ(first_marker("orient='auto'"), "M10 20 L10 22");
   EXPECT_EQ(first_marker("orient='auto-start-reverse'"), "M10 20 L10 18");
   EXPECT_EQ(first_marker("orient='180'"), "M10 20 L8 20");
-  EXPECT_EQ(first_marker("orient='.5turn'"), "M10 20 L8 20");
+  EXPECT_EQ(first_marker("orient='180deg'"), "M10 20 L8 20");
+  EXPECT_EQ(first_marker("orient='.5turn'"), "M10 20 L12 20");
 }
 
 TEST(Markers, PutTheirReferencePointOnTheVertex) {

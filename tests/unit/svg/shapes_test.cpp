@@ -79,5 +79,13 @@ TEST(Points, AreReadUpToTheFirstError) {
   EXPECT_FALSE(parse_points("1,2 3,4 5,x 6,7").complete);
 }
 
+TEST(PointList, PassesOverWhatFollowsAPointAsLibrsvgDoes) {
+  EXPECT_THAT(parse_points("1,2,,3,4").points, ElementsAre(Point{1, 2}, Point{3, 4}));
+  EXPECT_TRUE(parse_points("1,2,,3,4").complete);
+  EXPECT_FALSE(parse_points("1-2-3 4").complete);
+  EXPECT_FALSE(parse_points("1,2 , 3,4").complete);
+  EXPECT_FALSE(parse_points("1. 2.").complete);
+}
+
 }  // namespace
 }  // namespace libstyle::svg

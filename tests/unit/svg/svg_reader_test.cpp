@@ -132,14 +132,12 @@ TEST(SvgReader, KeepsTheSpaceOfAPenThatIsNotRound) {
   EXPECT_EQ(style.stroke_width, 2);
 }
 
-TEST(SvgReader, LeavesNonScalingStrokesAlone) {
-  const Style style = read(
-                          "<path transform='scale(2 3)' d='M0 0H1' stroke='red' stroke-width='2' "
-                          "vector-effect='non-scaling-stroke'/>")
-                          .path()
-                          .style;
-  EXPECT_FALSE(style.stroke_transform);
-  EXPECT_EQ(style.stroke_width, 2);
+TEST(SvgReader, ScalesStrokesThatAreNotToScaleAsLibrsvgDoes) {
+  EXPECT_EQ(read("<path transform='scale(3)' d='M0 0H1' stroke='red' stroke-width='2' "
+                 "vector-effect='non-scaling-stroke'/>")
+                .path()
+                .style.stroke_width,
+            6);
 }
 
 TEST(SvgReader, CarriesTheWholeStroke) {
@@ -239,7 +237,7 @@ TEST(SvgReader, DrawsTheFirstOfASwitchThatItCan) {
                               "<path id='b' systemLanguage='de' d='M0 0H1'/>"
                               "<path id='c' systemLanguage='fr, en-GB' d='M0 0H1'/>"
                               "<path id='d' d='M0 0H1'/></switch>")),
-            "c");
+            "d");
 }
 
 // --- use, symbol, nested svg --------------------------------------------------------------------
@@ -268,13 +266,64 @@ TEST(SvgReader, OpensTheViewportOfASymbol) {
   EXPECT_THAT(reading.clips(), IsEmpty());
 }
 
-TEST(SvgReader, ClipsSymbolsThatSaySo) {
+TEST(SvgReader, ClipsSymbolsAsLibrsvgDoes) {
+  const auto clips = [](const std::string& symbol, const std::string& use) {
+    return read("<symbol id='s' " + symbol + "><path d='M0 0L10 10'/></symbol><use href='#s' " +
+                use + " x='20' y='30' width='50' height='50'/>");
+  };
+  const std::string box = "viewBox='0 0 10 10'";
+  EXPECT_THAT(clips(box + " overflow='hidden'", "").clips(), IsEmpty());
+  EXPECT_THAT(clips("overflow='visible'", "").clips(), IsEmpty());
+  for (const Reading& reading :
+       {clips(box + " overflow='visible'", ""), clips(box, "overflow='hidden'")}) {
+    const ClipRecord& clip = *reading.clips().at(0);
+    EXPECT_EQ(to_path_data(clip.parts.at(0).path), "M20 30 L70 30 L70 80 L20 80 Z");
+  }
+}
+
+TEST(SvgReader, TakesOpacityAndClipOfASymbolForNothing) {
   const Reading reading = read(
-      "<symbol id='s' viewBox='0 0 10 10' overflow='hidden'><path d='M0 0L10 10'/></symbol>"
-      "<use href='#s' x='20' y='30' width='50' height='50'/>");
-  const ClipRecord& clip = *reading.clips().at(0);
-  EXPECT_EQ(to_path_data(clip.parts.at(0).path), "M20 30 L70 30 L70 80 L20 80 Z");
-  EXPECT_EQ(reading.group().clip, clip.id);
+      "<symbol id='s' opacity='.5' clip-path='url(#c)'><path d='M0 0L10 10'/></symbol>"
+      "<clipPath id='c'/><use href='#s'/>");
+  EXPECT_EQ(reading.group().opacity, 1);
+  EXPECT_EQ(reading.group().clip, "");
+}
+
+TEST(SvgReader, TakesPercentagesInASymbolOfTheViewportAroundIt) {
+  const auto width = [](const std::string& view) {
+    const Reading reading = read("<symbol id='s' " + view +
+                                 "><rect width='50%' height='1'/></symbol>"
+                                 "<use href='#s' width='20' height='20'/>");
+    return reading.path().path.control_box().width();
+  };
+  EXPECT_EQ(width(""), 50);
+  EXPECT_EQ(width("viewBox='0 0 20 20'"), 10);
+}
+
+TEST(SvgReader, DrawsWhatIsInAViewBoxWithoutSizeWhereItIs) {
+  EXPECT_EQ(read("<svg x='5' width='50' height='50' viewBox='0 0 0 9'><path d='M1 1H2'/></svg>")
+                .path_data(),
+            "M1 1 L2 1");
+  EXPECT_EQ(
+      read_file("<svg width='9' height='9' viewBox='0 0 0 9'><path d='M1 1H2'/></svg>").path_data(),
+      "M1 1 L2 1");
+}
+
+TEST(SvgReader, TransformsAndClipsTheWholePageAroundItsViewBox) {
+  const Reading reading = read_file(
+      "<svg width='100' height='100' viewBox='0 0 10 10' transform='translate(7)'"
+      " clip-path='url(#c)'><clipPath id='c'><rect width='3' height='3'/></clipPath>"
+      "<path d='M1 1H2'/></svg>");
+  EXPECT_EQ(reading.path_data(), "M17 10 L27 10");
+  EXPECT_EQ(to_path_data(reading.clips().at(0)->parts.at(0).path), "M7 0 L10 0 L10 3 L7 3 Z");
+}
+
+TEST(SvgReader, EndsWhereAUseComesToItself) {
+  EXPECT_EQ(read("<symbol id='s'><path d='M0 0H1'/><use href='#s' x='5'/></symbol>"
+                 "<use href='#s'/>")
+                .paths()
+                .size(),
+            2U);
 }
 
 TEST(SvgReader, DrawsSymbolsThatAreHiddenOrMovedAsTheyAre) {

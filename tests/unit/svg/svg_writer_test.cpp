@@ -211,7 +211,7 @@ TEST(SvgWriter, DefinesClips) {
             "    <clipPath id=\"clip-1\" curves:id=\"~1\">\n"
             "      <path clip-rule=\"evenodd\" d=\"M0 0 L1 0 L1 1 Z\"/>\n"
             "    </clipPath>\n"
-            "    <clipPath id=\"c\" clip-path=\"url(#clip-1)\">\n"
+            "    <clipPath id=\"c\" clip-path=\"url(#clip-1)\" curves:parts=\"united\">\n"
             "      <path clip-path=\"url(#clip-1)\" d=\"M0 0 L2 0 L2 2 Z\"/>\n"
             "    </clipPath>\n"
             "  </defs>\n"
