@@ -61,8 +61,8 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
     return scope.bounds ? *scope.bounds : measure_members(drawing_, element, scope);
   });
   // A viewport within a clip is a group of its own: librsvg knows no clips on clips.
-  GroupLook inside;
-  if (viewport) (look.clip.empty() ? look : inside).clip = add_viewport_clip(*viewport, scope);
+  const bool twice = viewport && !look.clip.empty();
+  if (viewport && !twice) look.clip = add_viewport_clip(*viewport, scope);
   if (is_plain(look) && !look.isolated && is_for_its_path(element)) {
     scope.path_clip = look.clip;
     return true;
@@ -71,7 +71,11 @@ bool DocumentCanvas::open_group(pugi::xml_node element, Scope& scope,
   if (!says_nothing || !is_outermost(element)) {
     scope.group = builder_.add_group(element, look, scope.group);
   }
-  scope.group = builder_.add_group({}, inside, scope.group);
+  if (twice) {
+    GroupLook inside;
+    inside.clip = add_viewport_clip(*viewport, scope);
+    scope.group = builder_.add_group({}, inside, scope.group);
+  }
   return true;
 }
 

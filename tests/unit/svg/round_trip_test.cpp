@@ -232,6 +232,13 @@ TEST(RoundTrip, KeepsMadeIds) {
   EXPECT_EQ(read_file(written(first.document)).document.records, first.document.records);
 }
 
+TEST(RoundTrip, KeepsAViewportWithinAClip) {
+  const Reading first = read(
+      "<clipPath id='c'><circle r='9'/></clipPath>"
+      "<svg clip-path='url(#c)' width='5' height='5'><path d='M0 0H9V9'/></svg>");
+  EXPECT_EQ(read_file(written(first.document)).document.records, first.document.records);
+}
+
 TEST(RoundTrip, KeepsUnknownKeysOfStopsGeometryAndParts) {
   Reading first = read(
       "<clipPath id='c'><path d='M0 0H1V1z'/></clipPath><linearGradient id='a'><stop/><stop/>"
