@@ -46,6 +46,17 @@ std::vector<Vector> stitched_offsets(const PlacedRuns& runs, const Ground& groun
   return stitch(anchors, moves, gaps, reach, closed);
 }
 
+// Adds to each offset how far the line is off itself where the style rounds its corners.
+void round_corners(std::vector<Vector>& offsets, const PlacedRuns& runs, const Ground& ground,
+                   std::span<const double> xs) {
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const double blur = ground.grid.scale_at(xs[i]) * runs.blur_at(runs.blend_at(xs[i]), xs[i]);
+    if (!(blur > 0)) continue;
+    const double length = ground.grid.length_at(xs[i]);
+    offsets[i] += ground.line.point_at(length, blur) - ground.line.point_at(length);
+  }
+}
+
 // The sample coordinates with the held ones among them, bit for bit.
 std::vector<double> with_held(const std::vector<double>& xs, std::span<const double> held) {
   std::vector<double> result;
@@ -88,6 +99,7 @@ DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& 
 
   const Ground ground{line, grid};
   std::vector<Vector> offsets = stitched_offsets(runs, ground, xs, steps, kStitchReach * feature);
+  round_corners(offsets, runs, ground, xs);
   std::optional<double> period;
   if (line.closed()) period = steps;
   hold(offsets, xs, held, kWarpWidth * feature, period);

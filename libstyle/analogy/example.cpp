@@ -7,6 +7,7 @@
 
 #include "libstyle/analogy/correspondence.h"
 #include "libstyle/analogy/feature_size.h"
+#include "libstyle/analogy/rounded_corners.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/gaussian.h"
@@ -21,7 +22,8 @@ constexpr double kLongestExample = 1e9;        // px; squares of lengths must no
 constexpr double kMaxStates = 2048;            // bounds the table of jumps
 constexpr double kSharpTurn = 0.5;             // radians: resampling must not cut such a vertex off
 
-// A closed curve becomes an open one that ends where it begins.
+// A closed curve becomes an open one that ends where it begins, which can be sampled and measured
+// like any other.
 SampledCurve opened(SampledCurve curve) {
   if (curve.polyline.closed && curve.size() > 0) {
     curve.polyline.points.push_back(curve.polyline.points.front());
@@ -32,10 +34,17 @@ SampledCurve opened(SampledCurve curve) {
   return curve;
 }
 
+Polyline closed_again(Polyline opened) {
+  opened.points.pop_back();
+  opened.closed = true;
+  return opened;
+}
+
 struct Pair {
   Polyline filtered;
   std::optional<Polyline> unfiltered;
   std::vector<double> lengths;  // along the unfiltered curve, for each filtered vertex
+  bool closed = false;          // both were, before they were opened
 };
 
 SampledCurve checked(const SampledCurve& curve, double scale, const char* which) {
@@ -70,11 +79,22 @@ std::vector<double> lengths_at_parameters(const SampledCurve& curve,
 
 Pair prepare(const ExamplePair& pair, double scale) {
   const SampledCurve filtered = checked(pair.filtered, scale, "filtered");
-  if (!pair.unfiltered) return {filtered.polyline, std::nullopt, {}};
+  const bool closed = pair.filtered.polyline.closed;
+  if (!pair.unfiltered) return {filtered.polyline, std::nullopt, {}, closed};
   const SampledCurve unfiltered = checked(*pair.unfiltered, scale, "unfiltered");
   return {filtered.polyline, unfiltered.polyline,
           pair.same_parameter ? lengths_at_parameters(unfiltered, filtered.t)
-                              : corresponding_lengths(filtered.polyline, unfiltered.polyline)};
+                              : corresponding_lengths(filtered.polyline, unfiltered.polyline),
+          closed && pair.unfiltered->polyline.closed};
+}
+
+// The filtered curve, blurred.
+Polyline without_detail(const Pair& pair, double blur) {
+  if (!pair.closed) return gaussian_blur(pair.filtered, blur);
+  Polyline plain = gaussian_blur(closed_again(pair.filtered), blur);
+  plain.points.push_back(plain.points.front());
+  plain.closed = false;
+  return plain;
 }
 
 double total_length(std::span<const Polyline> curves) {
@@ -103,16 +123,19 @@ SampledCurve sampled_filtered(const Pair& pair, double spacing) {
   return resample(curve, spacing, sharp_parameters(curve));
 }
 
-std::vector<ExampleLine::Sample> offsets_from(const Sweep& sweep, const SampledCurve& filtered) {
+std::vector<ExampleLine::Sample> offsets_from(const Sweep& sweep, const SampledCurve& filtered,
+                                              const RoundedCorners& rounded) {
   std::vector<ExampleLine::Sample> samples(filtered.size());
   const std::vector<Point>& points = filtered.polyline.points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double length = filtered.t[i];
     const Vector frame = sweep.frame_at(length);
-    const Point before = points[i > 0 ? i - 1 : 0];
-    const Point after = points[std::min(i + 1, points.size() - 1)];
-    samples[i] = {length, to_frame(points[i] - sweep.point_at(length), frame),
-                  to_frame(normalized(after - before), frame)};
+    const std::size_t last = points.size() - 1;
+    const Point before = points[i > 0 ? i - 1 : (sweep.closed() ? last - 1 : 0)];
+    const Point after = points[i < last ? i + 1 : (sweep.closed() ? 1 : last)];
+    const double blur = rounded.blur_at(length);
+    samples[i] = {length, to_frame(points[i] - sweep.point_at(length, blur), frame),
+                  to_frame(normalized(after - before), frame), blur};
   }
   return samples;
 }
@@ -140,6 +163,7 @@ ExampleLine::ExampleLine(Sweep sweep, std::vector<Sample> samples)
     : sweep_(std::move(sweep)), samples_(std::move(samples)) {}
 
 ExampleLine::Sample ExampleLine::at(double length) const {
+  if (goes_round()) length -= std::floor(length / this->length()) * this->length();
   const auto after = std::ranges::upper_bound(samples_, length, {}, &Sample::length);
   if (after == samples_.begin()) return samples_.front();
   if (after == samples_.end()) return samples_.back();
@@ -147,11 +171,13 @@ ExampleLine::Sample ExampleLine::at(double length) const {
   const Sample& b = *after;
   const double share = (length - a.length) / (b.length - a.length);
   const Vector tangent = normalized(lerp(a.tangent, b.tangent, share));
-  return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent};
+  return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent,
+          std::lerp(a.blur, b.blur, share)};
 }
 
 Point ExampleLine::filtered_at(double length) const {
-  return sweep_.point_at(length) + to_page(at(length).offset, sweep_.frame_at(length));
+  const Sample sample = at(length);
+  return sweep_.point_at(length, sample.blur) + to_page(sample.offset, sweep_.frame_at(length));
 }
 
 Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters) {
@@ -172,7 +198,7 @@ Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParame
   double base_length = 0;
   for (Pair& pair : pairs) {
     if (!pair.unfiltered) {
-      pair.unfiltered = gaussian_blur(pair.filtered, kBaseBlur * feature_size_);
+      pair.unfiltered = without_detail(pair, kBaseBlur * feature_size_);
       pair.lengths = cumulative_lengths(*pair.unfiltered);
     }
     base_length += arc_length(*pair.unfiltered);
@@ -186,10 +212,15 @@ Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParame
   const double spacing =
       std::max(filtered_length / parameters.samples, feature_size_ / kMostSamplesPerFeature);
   for (const Pair& pair : pairs) {
-    Sweep sweep(*pair.unfiltered, parameters.smoothing * feature_along_, feature_along_,
+    const Polyline plain = pair.closed ? closed_again(*pair.unfiltered) : *pair.unfiltered;
+    Sweep sweep(plain, parameters.smoothing * feature_along_, feature_along_,
                 parameters.invariance);
     const SampledCurve samples = sampled_filtered(pair, spacing);
-    lines_.emplace_back(std::move(sweep), offsets_from(sweep, samples));
+    const RoundedCorners rounded = parameters.shape_weight > 0
+                                       ? RoundedCorners(plain, samples, feature_along_)
+                                       : RoundedCorners();
+    std::vector<ExampleLine::Sample> offsets = offsets_from(sweep, samples, rounded);
+    lines_.emplace_back(std::move(sweep), std::move(offsets));
   }
   reach_ = stray(lines_);
   cut_into_states();

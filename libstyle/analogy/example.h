@@ -27,16 +27,20 @@ class ExampleLine {
  public:
   struct Sample {
     double length = 0;  // along the unfiltered curve, never falling
-    Vector offset;      // from the unfiltered curve, in its frame
+    Vector offset;      // from the unfiltered curve, blurred by `blur` there, in its frame
     Vector tangent;     // unit vector along the filtered curve, in the frame
+    double blur = 0;    // where the style rounds a corner, px (rounded_corners.h)
   };
 
+  // The sweep of a closed curve is closed, and the last sample is the first again, a turn later.
   ExampleLine(Sweep sweep, std::vector<Sample> samples);
 
+  // Whether it goes on at its beginning where it ends.
+  bool goes_round() const { return sweep_.closed(); }
   double length() const { return sweep_.length(); }
   const Sweep& sweep() const { return sweep_; }
   std::span<const Sample> samples() const { return samples_; }
-  // Interpolated; the ends hold beyond themselves.
+  // Interpolated; the ends of an open line hold beyond themselves.
   Sample at(double length) const;
   // The place of the filtered curve.
   Point filtered_at(double length) const;

@@ -20,7 +20,8 @@ SearchExample search_example(const ExampleLine& line) {
     unfiltered.polyline.points.push_back(place);
     unfiltered.t.push_back(t);
     filtered.polyline.points.push_back(
-        place + to_page(sample.offset, line.sweep().frame_at(sample.length)));
+        line.sweep().point_at(sample.length, sample.blur) +
+        to_page(sample.offset, line.sweep().frame_at(sample.length)));
     filtered.t.push_back(t);
   }
   return {unfiltered, filtered};

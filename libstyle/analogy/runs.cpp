@@ -2,6 +2,7 @@
 #include "libstyle/analogy/runs.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace libstyle {
 namespace {
@@ -65,6 +66,16 @@ Vector PlacedRuns::offset_at(const Blend& blend, double x) const {
 
 Vector PlacedRuns::offset_of(const Placed& run, double x) const {
   return run.line->at(length_at(run, x)).offset;
+}
+
+double PlacedRuns::blur_at(const Blend& blend, double x) const {
+  const double left = blur_of(placed_[blend.left], x);
+  if (blend.left == blend.right) return left;
+  return std::lerp(left, blur_of(placed_[blend.right], x), blend.right_share);
+}
+
+double PlacedRuns::blur_of(const Placed& run, double x) const {
+  return run.line->at(length_at(run, x)).blur;
 }
 
 std::vector<double> PlacedRuns::sample_coordinates(double steps) const {

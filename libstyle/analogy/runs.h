@@ -58,6 +58,7 @@ class PlacedRuns {
 
   Blend blend_at(double x) const;
   Vector offset_at(const Blend& blend, double x) const;
+  double blur_at(const Blend& blend, double x) const;
 
   // Coordinates from 0 to below `steps` at which the example has samples, or one run follows
   // another; rising, and never closer than kSamePlace.
@@ -67,6 +68,7 @@ class PlacedRuns {
   void add(const ChainRun& run, double shift);
   Blend fade(std::size_t left, double x) const;
   Vector offset_of(const Placed& run, double x) const;
+  double blur_of(const Placed& run, double x) const;
 
   const Example& example_;
   std::vector<Placed> placed_;
