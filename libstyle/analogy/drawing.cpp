@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <string>
@@ -90,8 +91,9 @@ void append_values(AlongValues& result, const AlongValues& old, const FlattenedS
 
 struct PathMeasure {
   double length = 0;
-  double small_length = 0;  // of curves with the style at less than half its size
-  bool too_long = false;    // it, or one of its subpaths, stays as it is
+  double small_length = 0;           // of curves with the style at less than half its size
+  bool too_long = false;             // it, or one of its subpaths, stays as it is
+  std::vector<CurveMeasure> curves;  // if they are wanted
 };
 
 // A subpath that stays as it is.
@@ -157,8 +159,14 @@ void find_meetings(std::span<FlatPath> paths) {
   for (std::vector<double>* lengths : held) std::ranges::sort(*lengths);
 }
 
+std::size_t vertex_count(std::span<const Subpath> subpaths, std::size_t i, const Path& path) {
+  const std::size_t end =
+      i + 1 < subpaths.size() ? subpaths[i + 1].first_vertex : path.vertex_count();
+  return end - subpaths[i].first_vertex;
+}
+
 PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
-                      std::uint64_t place, std::uint64_t variant) {
+                      std::uint64_t place, const DrawingOptions& options) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
@@ -170,13 +178,18 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
     const StyledCurve drawn =
-        style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], variant});
+        style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], options.variant});
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
     const SmoothCurve fresh =
         drawn.runs.empty() ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
     path.append(fresh.path);
     append_values(along, record.along, flats[i], fresh.lengths);
+    if (options.measures) {
+      CurveMeasure curve = measure_curve(flats[i].polyline, flat.held[i], drawn, fresh.path);
+      curve.vertices_before = vertex_count(old, i, record.path);
+      measure.curves.push_back(std::move(curve));
+    }
     measure.length += length;
     measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
@@ -231,9 +244,12 @@ void warn_if_long(std::span<const StyledPath> paths, std::span<const PathMeasure
                   const WarningHandler& warn) {
   for (std::size_t i = 0; warn && i < paths.size(); ++i) {
     if (!measures[i].too_long) continue;
+    std::string message = "is too long for its style, which draws lines of up to ";
+    append_number(message, std::floor(paths[i].analogy->longest_curve()));
+    message += " px; it stays as it is";
     warn({{.file = "", .line = paths[i].record->line},
           std::string(given_id(paths[i].record->id)),
-          "is over a million times as long as a step of the style; it stays as it is"});
+          message});
   }
 }
 
@@ -254,9 +270,23 @@ void warn_if_small(std::span<const StyledPath> paths, std::span<const PathMeasur
   warn(warning);
 }
 
+void summarize_styles(std::span<const StyledPath> paths, std::span<PathMeasure> measures,
+                      const StylePlan& plan, std::vector<StyleMeasures>& result) {
+  for (std::size_t style = 0; style < plan.styles.size(); ++style) {
+    if (!plan.styles[style].analogy) continue;
+    std::vector<CurveMeasure> curves;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (paths[i].style == style)
+        std::ranges::move(measures[i].curves, std::back_inserter(curves));
+    }
+    result[style] = summarize(curves, plan.styles[style].analogy->example());
+  }
+}
+
 }  // namespace
 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
+  if (options.measures) options.measures->assign(plan.styles.size(), {});
   const std::vector<StyledPath> paths = styled_paths(document, plan);
   const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
   if (any == paths.end()) return;
@@ -270,13 +300,13 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
     const std::size_t place = places[i];
     if (path.analogy) {
       const bool alike = path.style == paths[place].style;
-      measures[i] =
-          draw_path(*path.record, flat[alike ? place : i], *path.analogy, place, options.variant);
+      measures[i] = draw_path(*path.record, flat[alike ? place : i], *path.analogy, place, options);
     }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));
   });
+  if (options.measures) summarize_styles(paths, measures, plan, *options.measures);
   warn_if_long(paths, measures, options.warn);
   for (std::size_t style = 0; style < plan.styles.size(); ++style) {
     warn_if_small(paths, measures, style, plan.styles[style].name, options.warn);
