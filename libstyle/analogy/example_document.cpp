@@ -87,6 +87,25 @@ ExamplePair make_pair(const ExampleCurve& unfiltered, const ExampleCurve& filter
 
 }  // namespace
 
+PathRecord painted_like(const Document& example) {
+  PathRecord path;
+  for (const Record& record : example.records) {
+    const auto* first = std::get_if<PathRecord>(&record);
+    if (!first) continue;
+    path.style = first->style;
+    path.classes = first->classes;
+    break;
+  }
+  // What belongs to the place of the example, or to an area, is left behind.
+  path.style.fill = NoPaint{};
+  if (!path.style.stroke || std::holds_alternative<PaintReference>(*path.style.stroke)) {
+    path.style.stroke = Color{};
+  }
+  path.style.stroke_transform.reset();
+  path.style.hidden = false;
+  return path;
+}
+
 std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered) {
   const std::vector<ExampleCurve> after = curves_of(filtered);
   if (after.empty())
@@ -99,6 +118,10 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
     return pairs;
   }
   const std::vector<ExampleCurve> before = curves_of(*unfiltered);
+  if (before.empty()) {
+    throw Error(
+        "the unfiltered example has no curve; draw one for each filtered one, or leave it out");
+  }
   if (before.size() != after.size()) {
     throw Error("the unfiltered example has " + counted(before.size()) + ", the filtered one " +
                 counted(after.size()) + "; draw one for one, in the same order");

@@ -15,39 +15,18 @@ namespace {
 constexpr double kFitTolerance = 0.01;  // of a feature size, as for lines drawn again
 constexpr double kMargin = 0.02;        // of the longer side
 
-PathRecord painted_like(const Document& example) {
-  PathRecord path;
-  for (const Record& record : example.records) {
-    const auto* first = std::get_if<PathRecord>(&record);
-    if (!first) continue;
-    path.style = first->style;
-    path.classes = first->classes;
-    break;
-  }
-  // What belongs to the place of the example, or to an area, is left behind.
-  path.style.fill = NoPaint{};
-  if (!path.style.stroke || std::holds_alternative<PaintReference>(*path.style.stroke)) {
-    path.style.stroke = Color{};
-  }
-  path.style.stroke_transform.reset();
-  path.style.hidden = false;
-  return path;
-}
-
 }  // namespace
 
-std::vector<Polyline> synthesis_examples(const Document& example) {
+std::vector<Polyline> synthesis_examples(std::span<const ExamplePair> pairs) {
   std::vector<Polyline> curves;
-  for (ExamplePair& pair : example_pairs(nullptr, example)) {
-    curves.push_back(std::move(pair.filtered.polyline));
-  }
+  for (const ExamplePair& pair : pairs) curves.push_back(pair.filtered.polyline);
   return curves;
 }
 
-Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,
-                              std::uint64_t variant) {
+Document synthesized_document(const CurveSynthesis& style, const Polyline& curve,
+                              const Document& example) {
   StyledCurve drawn;
-  drawn.curve = style.draw(length, 0, variant).curve;
+  drawn.curve = curve;
   Box box;
   for (const Point p : drawn.curve.points) box.include(p);
   PathRecord path = painted_like(example);
@@ -56,7 +35,8 @@ Document synthesized_document(const CurveSynthesis& style, const Document& examp
   for (Point& p : drawn.curve.points) p += Point{margin, margin} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
-  path.path = smooth_curve(drawn, length, kFitTolerance * style.example().feature_size()).path;
+  path.path =
+      smooth_curve(drawn, arc_length(curve), kFitTolerance * style.example().feature_size()).path;
   Document document;
   document.header.name = example.header.name;
   document.header.width = std::ceil(size.x + 2 * margin);

@@ -2,20 +2,21 @@
 // Curves made from an example alone, as documents.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
+#include "libstyle/analogy/example.h"
 #include "libstyle/analogy/synthesis.h"
 #include "libstyle/curves/document.h"
 
 namespace libstyle {
 
-// The subpaths of a document as examples. Throws Error when there are none.
-std::vector<Polyline> synthesis_examples(const Document& example);
+// The filtered curves of pairs.
+std::vector<Polyline> synthesis_examples(std::span<const ExamplePair> pairs);
 
-// A page with one curve, painted as the first path of `example`, with a small margin round it.
-Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,
-                              std::uint64_t variant);
+// A page with one curve of a style, painted as the first path of `example`, with a small margin
+// round it.
+Document synthesized_document(const CurveSynthesis& style, const Polyline& curve,
+                              const Document& example);
 
 }  // namespace libstyle
