@@ -33,7 +33,7 @@ TEST(LineSearch, PassesThroughHeldPlaces) {
   const ExamplePair pair = example();
   const CurveAnalogy style({&pair, 1}, greedy());
   const double held[] = {40};
-  const StyledCurve drawn = style.draw(polyline("0 0, 100 0"), 0, held);
+  const StyledCurve drawn = style.draw(polyline("0 0, 100 0"), {.held = held});
   EXPECT_THAT(drawn.curve.points, testing::Contains(PointNear({40, 0}, 1e-9)));
 }
 
@@ -58,7 +58,7 @@ TEST(LineSearch, GivesShortLinesTheStyleSmaller) {
 TEST(LineSearch, TellsLengthsAndRunsAlongTheWholeLine) {
   const ExamplePair pair = example();
   const CurveAnalogy style({&pair, 1}, greedy());
-  const StyledCurve drawn = style.draw(polyline("0 0, 100 0"), 0);
+  const StyledCurve drawn = style.draw(polyline("0 0, 100 0"), {});
   ASSERT_EQ(drawn.lengths.size(), drawn.curve.points.size());
   EXPECT_EQ(drawn.lengths.front(), 0);
   EXPECT_EQ(drawn.lengths.back(), 100);
