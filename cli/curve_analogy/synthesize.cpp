@@ -58,7 +58,7 @@ void synthesize(const Settings& settings, Session& session) {
     for (int i = 0; i < variants; ++i) {
       const auto variant = static_cast<std::uint64_t>(i);
       const SynthesizedCurve drawn = style.draw(*settings.synthesize, 0, variant);
-      Document document = synthesized_document(style, drawn.curve, source.filtered);
+      Document document = synthesized_document(style, drawn, source.filtered);
       document.header.history = {session.history()};
       if (settings.variants) document.header.name = variant_name(document.header.name, i + 1);
       write_document(output, document);

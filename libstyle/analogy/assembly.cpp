@@ -22,6 +22,11 @@ struct Ground {
   Vector to_page(Vector offset, double x) const {
     return grid.scale_at(x) * libstyle::to_page(offset, line.frame_at(grid.length_at(x)));
   }
+  double length_at(double x) const {
+    const bool is_end = !line.closed() && x == static_cast<double>(grid.steps());
+    return is_end ? line.length() : grid.length_at(x);
+  }
+  Point place_at(double x) const { return line.point_at(length_at(x)); }
 };
 
 // Offsets on the page at the coordinates, stitched where runs meet.
@@ -58,28 +63,30 @@ void round_corners(std::vector<Vector>& offsets, const PlacedRuns& runs, const G
 }
 
 // The sample coordinates with the held ones among them, bit for bit.
-std::vector<double> with_held(const std::vector<double>& xs, std::span<const double> held) {
+std::vector<double> with_held(const std::vector<double>& xs, std::span<const HeldPlace> held) {
   std::vector<double> result;
   auto next = held.begin();
   for (const double x : xs) {
-    while (next != held.end() && *next < x - kSamePlace) result.push_back(*next++);
-    const bool same = next != held.end() && *next <= x + kSamePlace;
-    result.push_back(same ? *next++ : x);
+    while (next != held.end() && next->x < x - kSamePlace) result.push_back(next++->x);
+    const bool same = next != held.end() && next->x <= x + kSamePlace;
+    result.push_back(same ? next++->x : x);
   }
-  result.insert(result.end(), next, held.end());
+  while (next != held.end()) result.push_back(next++->x);
   return result;
 }
 
 // A closed line feels what is held also from the other side of its seam.
-void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<const double> held,
-          double width, std::optional<double> period) {
+void hold(std::vector<Vector>& offsets, std::span<const double> xs, const Ground& ground,
+          std::span<const HeldPlace> held, double width, std::optional<double> period) {
   std::vector<WarpTarget> targets;
-  for (const double x : held) {
+  for (const auto& [x, position] : held) {
     const auto i = static_cast<std::size_t>(std::ranges::lower_bound(xs, x) - xs.begin());
-    targets.push_back({x, -offsets[i]});
+    Vector move = -offsets[i];
+    if (position) move += *position - ground.place_at(x);
+    targets.push_back({x, move});
     if (!period) continue;
-    targets.push_back({x - *period, -offsets[i]});
-    targets.push_back({x + *period, -offsets[i]});
+    targets.push_back({x - *period, move});
+    targets.push_back({x + *period, move});
   }
   const Warp warp(targets, width);
   for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += warp.at(xs[i]);
@@ -88,7 +95,7 @@ void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<co
 }  // namespace
 
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
-                    std::span<const ChainState> walk, std::span<const double> held) {
+                    std::span<const ChainState> walk, std::span<const HeldPlace> held) {
   const std::vector<ChainRun> found = find_runs(example, walk);
   const PlacedRuns runs(example, found, grid.steps(), line.closed());
   const auto steps = static_cast<double>(grid.steps());
@@ -102,15 +109,16 @@ DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& 
   round_corners(offsets, runs, ground, xs);
   std::optional<double> period;
   if (line.closed()) period = steps;
-  hold(offsets, xs, held, kWarpWidth * feature, period);
+  hold(offsets, xs, ground, held, kWarpWidth * feature, period);
 
   DrawnLine drawn{{{}, line.closed()}, {}};
   for (std::size_t i = 0; i < xs.size(); ++i) {
-    const bool is_held = std::ranges::binary_search(held, xs[i]);
-    const bool is_end = !line.closed() && i + 1 == xs.size();
-    drawn.lengths.push_back(is_end ? line.length() : grid.length_at(xs[i]));
-    const Point place = line.point_at(drawn.lengths.back());
-    drawn.curve.points.push_back(is_held ? place : place + offsets[i]);
+    drawn.lengths.push_back(ground.length_at(xs[i]));
+    const Point place = ground.place_at(xs[i]);
+    const auto at = std::ranges::lower_bound(held, xs[i], {}, &HeldPlace::x);
+    const bool is_held = at != held.end() && at->x == xs[i];
+    drawn.curve.points.push_back(is_held ? at->position.value_or(place) : place + offsets[i]);
+    if (is_held && at->position) drawn.pinned.push_back(i);
   }
   return drawn;
 }

@@ -18,6 +18,11 @@
 //
 // Symbols: A unfiltered, A' filtered, B line, B' drawn line, w_B shape_weight.
 //
+// Constraints (section 3.2). A hard one has the line bend towards it by what is beyond the style's
+// own reach (bent_line.h), the walk pass near it, and the drawn line moved through it (assembly.h).
+// A soft one becomes a hard one at the place that it and the line, drawn without it, agree on
+// (soft_constraints.h).
+//
 // Departures. The paper searches for each sample of B' the best match among the samples of A',
 // coarse to fine. Done literally, fine detail does not come back and corners knot; a chain over
 // positions of A' assigns the whole curve at once, which the greedy search only approximates, and
@@ -27,7 +32,8 @@
 //
 // Guarantees: the same seed gives the same result, on any number of threads; moving or turning A,
 // A' and B together does the same to B' (turning: under Invariance::kRotate); A' = A gives back B;
-// open lines keep their end points exactly, outlines their corners. Cost: preparing O(n^2) in the
+// open lines keep their end points exactly, outlines their corners; hard constraints are met
+// exactly, soft ones the nearer the heavier they are. Cost: preparing O(n^2) in the
 // states (at most 2048), drawing O(length of B / F) times O(states).
 //
 //   const CurveAnalogy style(pairs, parameters);
@@ -41,6 +47,7 @@
 #include <vector>
 
 #include "libstyle/analogy/assembly.h"
+#include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/style_summary.h"
@@ -52,7 +59,10 @@ struct StyledCurve {
   Polyline curve;
   std::vector<double> lengths;       // along B, for each point; never falling
   std::vector<std::size_t> corners;  // points that are corners of B
-  std::vector<ChainRun> runs;        // of all lines one after the other
+  // Points that lie exactly where constraints want them, rising, but for corners and ends, which
+  // may as well.
+  std::vector<std::size_t> pinned = {};
+  std::vector<ChainRun> runs;  // of all lines one after the other
   // The mean of the local scale over the length of B: 1 where the style has its own size
   // everywhere.
   double mean_scale = 1;
@@ -68,6 +78,9 @@ struct CurveTask {
   std::span<const double> held = {};
   // Added to the seed.
   std::uint64_t variant = 0;
+  // Places that the curve passes exactly or is drawn towards, whatever keep_ends says. On a place
+  // that is held, and on ends and corners, they come first.
+  std::span<const CurveConstraint> constraints = {};
 };
 
 class CurveAnalogy {
@@ -79,7 +92,9 @@ class CurveAnalogy {
   CurveAnalogy& operator=(CurveAnalogy&&) noexcept;
 
   // Draws one curve. Curves without length, too small for the style at its smallest, or longer than
-  // longest_curve() come back as they are. Safe to call from several threads.
+  // longest_curve() come back as they are; those too small for the style are bent to constraints.
+  // Throws Error when a constraint is out of range or as far away as a curve may be long, or when
+  // hard ones contradict each other. Safe to call from several threads.
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
   // A million steps of the example, or 65,536 spacings of the search: more would take hours, and

@@ -165,8 +165,9 @@ std::size_t vertex_count(std::span<const Subpath> subpaths, std::size_t i, const
   return end - subpaths[i].first_vertex;
 }
 
-PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
-                      std::uint64_t place, const DrawingOptions& options) {
+PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const PathConstraints& constraints,
+                      const CurveAnalogy& style, std::uint64_t place,
+                      const DrawingOptions& options) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
@@ -177,12 +178,14 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
-    const StyledCurve drawn =
-        style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], options.variant});
+    const StyledCurve drawn = style.draw(
+        flats[i].polyline, {(place << 24) + i, flat.held[i], options.variant, constraints[i]});
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
+    const bool stays =
+        drawn.runs.empty() && (constraints[i].empty() || drawn.too_long || length == 0);
     const SmoothCurve fresh =
-        drawn.runs.empty() ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
+        stays ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
     path.append(fresh.path);
     append_values(along, record.along, flats[i], fresh.lengths);
     if (options.measures) {
@@ -240,6 +243,19 @@ std::vector<FlatPath> flatten_paths(std::span<const StyledPath> paths, const Cur
   return result;
 }
 
+std::vector<PathConstraints> find_constraints(const Document& document,
+                                              std::span<const StyledPath> paths,
+                                              std::span<const std::size_t> places,
+                                              std::span<const FlatPath> flat,
+                                              const DrawingOptions& options) {
+  std::vector<ConstrainablePath> constrainable;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    constrainable.push_back({paths[i].record, {}, places[i]});
+    if (paths[i].analogy) constrainable.back().subpaths = flat[i].subpaths;
+  }
+  return place_constraints(document, options.constraints, constrainable, options.warn);
+}
+
 void warn_if_long(std::span<const StyledPath> paths, std::span<const PathMeasure> measures,
                   const WarningHandler& warn) {
   for (std::size_t i = 0; warn && i < paths.size(); ++i) {
@@ -288,10 +304,12 @@ void summarize_styles(std::span<const StyledPath> paths, std::span<PathMeasure> 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
   if (options.measures) options.measures->assign(plan.styles.size(), {});
   const std::vector<StyledPath> paths = styled_paths(document, plan);
-  const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
-  if (any == paths.end()) return;
   const std::vector<std::size_t> places = first_equals(paths);
-  const std::vector<FlatPath> flat = flatten_paths(paths, *any->analogy);
+  const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
+  std::vector<FlatPath> flat(paths.size());
+  if (any != paths.end()) flat = flatten_paths(paths, *any->analogy);
+  const std::vector<PathConstraints> constraints =
+      find_constraints(document, paths, places, flat, options);
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
@@ -300,7 +318,8 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
     const std::size_t place = places[i];
     if (path.analogy) {
       const bool alike = path.style == paths[place].style;
-      measures[i] = draw_path(*path.record, flat[alike ? place : i], *path.analogy, place, options);
+      measures[i] = draw_path(*path.record, flat[alike ? place : i], constraints[i], *path.analogy,
+                              place, options);
     }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);

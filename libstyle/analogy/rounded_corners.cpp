@@ -59,8 +59,8 @@ class Turns {
   std::vector<Turn> turns_;
 };
 
-// The sigma with which a corner that turns by `whole` was blurred if it turns by at most `turn` over
-// an arc length of `reach` now. With u = x / sigma, e = erf(u / sqrt 2) and a = whole / 2, the
+// The sigma with which a corner that turns by `whole` was blurred if it turns by at most `turn`
+// over an arc length of `reach` now. With u = x / sigma, e = erf(u / sqrt 2) and a = whole / 2, the
 // blurred corner has at x turned by atan(e tan a) from its middle, at a speed of
 // |cos a, e sin a| (the velocity is the blurred step from one direction to the other).
 double blur_between(double whole, double turn, double reach) {
@@ -78,8 +78,7 @@ double blur_between(double whole, double turn, double reach) {
 
 }  // namespace
 
-RoundedCorners::RoundedCorners(const Polyline& plain, const SampledCurve& filtered,
-                               double feature)
+RoundedCorners::RoundedCorners(const Polyline& plain, const SampledCurve& filtered, double feature)
     : length_(arc_length(plain)), closed_(plain.closed) {
   const Turns turns(filtered, length_, closed_);
   const std::vector<double> lengths = cumulative_lengths(plain);
@@ -88,9 +87,9 @@ RoundedCorners::RoundedCorners(const Polyline& plain, const SampledCurve& filter
     const Point before = points[i > 0 ? i - 1 : points.size() - 1];
     const Point after = points[i + 1 < points.size() ? i + 1 : 0];
     const double turn = std::abs(turning_angle(points[i] - before, after - points[i]));
-    const double sigma = std::min(
-        kMostBlur * feature,
-        blur_between(turn, turns.sharpest(lengths[i], feature), kBendReach * feature));
+    const double sigma =
+        std::min(kMostBlur * feature,
+                 blur_between(turn, turns.sharpest(lengths[i], feature), kBendReach * feature));
     if (sigma > kLeastBlur * feature) corners_.push_back({lengths[i], sigma});
   }
 }
@@ -100,8 +99,8 @@ double RoundedCorners::blur_at(double length) const {
   for (const Corner& corner : corners_) {
     double away = std::abs(length - corner.length);
     if (closed_) away = std::min(away, length_ - away);
-    const double u = std::clamp((kWholeReach - away / corner.sigma) / (kWholeReach - kFullReach),
-                                0.0, 1.0);
+    const double u =
+        std::clamp((kWholeReach - away / corner.sigma) / (kWholeReach - kFullReach), 0.0, 1.0);
     most = std::max(most, corner.sigma * u * u * (3 - 2 * u));
   }
   return most;

@@ -16,7 +16,7 @@ struct SmoothCurve {
 
 // Fits the curve within `tolerance`. Corners of the plain curve, which is `total_length` long, stay
 // corners: what lies between them is fitted on its own. Points but the ends of these pieces are
-// rounded to 1/10000 px.
+// rounded to 1/10000 px, but for pinned ones, which the path has as vertices.
 SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length, double tolerance);
 
 }  // namespace libstyle
