@@ -54,6 +54,32 @@ std::optional<Pen> make_pen(const Canvas& canvas, const PathRecord& record) {
   return Pen{device_from_pen, *pen_from_device, stroke_reach(record) * scale};
 }
 
+// Adds the dots of square caps: Cairo draws a subpath without length for round caps only, since it
+// has no direction. SVG gives it that of the pen's x axis; so does a line too short to be seen.
+void trace_square_dots(cairo_t* context, const Path& path, const Transform& device_from_path,
+                       const Pen& pen) {
+  constexpr double kShort = 1.0 / 64;  // px; a few steps of Cairo's fixed point
+  const Vector half = kShort / 2 * normalized(pen.device_from_pen.linear({1, 0}));
+  const Point* next = path.points().data();
+  const auto commands = path.commands();
+  Point start;
+  bool has_length = false;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const std::size_t count = point_count(commands[i]);
+    if (commands[i] == PathCommand::kMove) {
+      start = *next;
+      has_length = false;
+    }
+    has_length = has_length || std::any_of(next, next + count, [&](Point p) { return p != start; });
+    next += count;
+    const bool is_last = i + 1 == commands.size() || commands[i + 1] == PathCommand::kMove;
+    if (!is_last || has_length || commands[i] == PathCommand::kMove) continue;
+    const Point center = device_from_path(start);
+    cairo_move_to(context, center.x - half.x, center.y - half.y);
+    cairo_line_to(context, center.x + half.x, center.y + half.y);
+  }
+}
+
 // The length by control points, an upper bound.
 double pen_length(const Path& path, const Transform& pen_from_path) {
   double length = 0;
@@ -119,6 +145,9 @@ void stroke_path(Canvas& canvas, const PathRecord& record, const Paint& paint, d
     if (!set_source(canvas, paint, opacity * tint, record)) return;
     cairo_new_path(context);
     trace_path(context, path, device_from_path);
+    if (record.style.line_cap == LineCap::kSquare) {
+      trace_square_dots(context, path, device_from_path, *pen);
+    }
     stroke_current_path(context, *pen);
   };
   const Box box = transformed(record.path.control_box(), canvas.device_from_page);
