@@ -74,6 +74,22 @@ void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<co
   for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += warp.at(xs[i]);
 }
 
+std::vector<std::vector<double>> copied_features(const Example& example, const PlacedRuns& runs,
+                                                 const StyleGrid& grid,
+                                                 std::span<const double> xs) {
+  const std::span<const LineFeature> features = example.features();
+  std::vector<std::vector<double>> result(features.size());
+  if (features.empty()) return result;
+  for (const double x : xs) {
+    const std::vector<double> values = runs.features_at(runs.blend_at(x), x);
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const bool is_length = features[i].kind == FeatureKind::kLength;
+      result[i].push_back(is_length ? grid.scale_at(x) * values[i] : values[i]);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
@@ -92,7 +108,7 @@ DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& 
   if (line.closed()) period = steps;
   hold(offsets, xs, held, kWarpWidth * feature, period);
 
-  DrawnLine drawn{{{}, line.closed()}, {}};
+  DrawnLine drawn{{{}, line.closed()}, {}, copied_features(example, runs, grid, xs)};
   for (std::size_t i = 0; i < xs.size(); ++i) {
     const bool is_held = std::ranges::binary_search(held, xs[i]);
     const bool is_end = !line.closed() && i + 1 == xs.size();

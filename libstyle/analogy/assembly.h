@@ -17,7 +17,8 @@ namespace libstyle {
 
 struct DrawnLine {
   Polyline curve;
-  std::vector<double> lengths;  // along the plain line, for each point; never falling
+  std::vector<double> lengths;                // along the plain line, for each point; never falling
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
 };
 
 // Stages:
@@ -29,6 +30,8 @@ struct DrawnLine {
 //  4. At the style coordinates `held`, rising, the line is moved to where it was (warp.h) and
 //  passes
 //     there exactly: the ends of open lines, and where other lines meet it.
+//  5. The features of the example are copied with the runs and fade as they do; lengths among them
+//     at the local scale.
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
                     std::span<const ChainState> walk, std::span<const double> held);
 

@@ -105,20 +105,6 @@ std::vector<double> lengths_on(const PlainLine& line, double curve_length,
   return result;
 }
 
-StyledCurve unchanged(const Polyline& curve) {
-  StyledCurve result;
-  result.curve = curve;
-  result.lengths = cumulative_lengths(curve);
-  result.lengths.resize(curve.points.size());
-  return result;
-}
-
-StyledCurve too_long(const Polyline& curve) {
-  StyledCurve result = unchanged(curve);
-  result.too_long = true;
-  return result;
-}
-
 }  // namespace
 
 class CurveAnalogy::Implementation {
@@ -138,6 +124,8 @@ class CurveAnalogy::Implementation {
   double longest_curve() const { return kMostSteps * example_.step(); }
 
  private:
+  StyledCurve unchanged(const Polyline& curve) const;
+  StyledCurve too_long(const Polyline& curve) const;
   struct DrawnPart {
     DrawnLine line;
     std::vector<ChainRun> runs;
@@ -160,6 +148,26 @@ class CurveAnalogy::Implementation {
   std::optional<LineSearch> search_;
 };
 
+// Where nothing is drawn, features are what they are on average where the style is smallest.
+StyledCurve CurveAnalogy::Implementation::unchanged(const Polyline& curve) const {
+  StyledCurve result;
+  result.curve = curve;
+  result.lengths = cumulative_lengths(curve);
+  result.lengths.resize(curve.points.size());
+  for (std::size_t i = 0; i < example_.features().size(); ++i) {
+    const bool is_length = example_.features()[i].kind == FeatureKind::kLength;
+    const double value = (is_length ? parameters_.smallest_scale : 1) * example_.statistics(i).mean;
+    result.features.emplace_back(curve.points.size(), value);
+  }
+  return result;
+}
+
+StyledCurve CurveAnalogy::Implementation::too_long(const Polyline& curve) const {
+  StyledCurve result = unchanged(curve);
+  result.too_long = true;
+  return result;
+}
+
 StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const CurveTask& task) const {
   for (const Point p : curve.points) {
     if (!is_finite(p)) throw Error("a curve has a coordinate that is not finite");
@@ -178,6 +186,7 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
   const double curve_length = arc_length(curve);
   StyledCurve result;
   result.curve.closed = curve.closed;
+  result.features.resize(example_.features().size());
   double total = 0, scaled = 0;
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
@@ -189,6 +198,11 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
     for (std::size_t i = 0; i < count; ++i) {
       result.curve.points.push_back(drawn.line.curve.points[i]);
       result.lengths.push_back(lines[part].length_before + drawn.line.lengths[i]);
+    }
+    for (std::size_t i = 0; i < result.features.size(); ++i) {
+      const std::vector<double>& own = drawn.line.features[i];
+      result.features[i].insert(result.features[i].end(), own.begin(),
+                                own.begin() + static_cast<std::ptrdiff_t>(count));
     }
     for (ChainRun& run : drawn.runs) {
       run.first += first_step;
@@ -209,7 +223,7 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
   const StyleGrid grid(line, example_, parameters_);
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     StyledCurve plain = unchanged(line);
-    return {{std::move(plain.curve), std::move(plain.lengths)}, {}, 0};
+    return {{std::move(plain.curve), std::move(plain.lengths), std::move(plain.features)}, {}, 0};
   }
   std::vector<double> held;
   if (parameters_.keep_ends) held = held_coordinates(grid, !line.closed, held_lengths);

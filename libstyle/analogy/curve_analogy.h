@@ -25,6 +25,8 @@
 // displacements", which the paper compares itself with; the jumps remove the repetition it finds
 // fault with, and frames from blurred curves the distortion.
 //
+// Features of A', such as its width, are copied with its pieces, in the size of the style.
+//
 // Guarantees: the same seed gives the same result, on any number of threads; moving or turning A,
 // A' and B together does the same to B' (turning: under Invariance::kRotate); A' = A gives back B;
 // open lines keep their end points exactly, outlines their corners. Cost: preparing O(n^2) in the
@@ -49,9 +51,10 @@ namespace libstyle {
 
 struct StyledCurve {
   Polyline curve;
-  std::vector<double> lengths;       // along B, for each point; never falling
-  std::vector<std::size_t> corners;  // points that are corners of B
-  std::vector<ChainRun> runs;        // of all lines one after the other
+  std::vector<double> lengths;                // along B, for each point; never falling
+  std::vector<std::size_t> corners;           // points that are corners of B
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
+  std::vector<ChainRun> runs;                 // of all lines one after the other
   // The mean of the local scale over the length of B: 1 where the style has its own size
   // everywhere.
   double mean_scale = 1;

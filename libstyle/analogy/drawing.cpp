@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "libstyle/analogy/line_features.h"
 #include "libstyle/analogy/smooth_curve.h"
 #include "libstyle/base/number.h"
 #include "libstyle/base/parallel.h"
@@ -24,9 +25,8 @@
 namespace libstyle {
 namespace {
 
-constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn along
-constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
-constexpr double kMeeting = 1e-3;       // of the drawing's diagonal: ends that near a line meet it
+constexpr double kFlatness = 0.02;  // of a feature size: of what is drawn along
+constexpr double kMeeting = 1e-3;   // of the drawing's diagonal: ends that near a line meet it
 
 bool comes_before(const Path* a, const Path* b) {
   const auto key = [](Point p) { return std::tuple(p.x, p.y); };
@@ -51,6 +51,7 @@ class ValuesByLength {
 
   std::vector<double> at(std::span<const double> lengths, std::span<const double> values) const {
     const std::vector<double> known = values_along(places_, values);
+    if (known.size() == 1) return std::vector(lengths.size(), known.front());
     std::vector<double> result;
     for (double length : lengths) {
       if (goes_round_ && length > lengths_.back()) length -= lengths_.back();
@@ -85,6 +86,40 @@ void append_values(AlongValues& result, const AlongValues& old, const FlattenedS
       old.colors, [&](std::span<const double> values) { return along.at(lengths, values); });
   result.colors.insert(result.colors.end(), colors.begin(), colors.end());
 }
+
+// What the style says of its features, for all subpaths of a path.
+class StyledFeatures {
+ public:
+  explicit StyledFeatures(std::span<const LineFeature> features)
+      : features_(features), values_(features.size()) {}
+
+  // The last subpath, drawn.
+  void append(const SmoothCurve& fresh) {
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      values_[i].insert(values_[i].end(), fresh.features[i].begin(), fresh.features[i].end());
+    }
+  }
+
+  // The last subpath, not drawn: it keeps its own values, which are the last ones of `along`, or
+  // gets those of the style.
+  void append_kept(const AlongValues& along, const StyledCurve& kept, std::size_t vertices) {
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      const std::vector<double> own = feature_values(along, features_[i]);
+      if (own.empty()) {
+        values_[i].insert(values_[i].end(), vertices, kept.features[i].front());
+      } else {
+        values_[i].insert(values_[i].end(), own.end() - static_cast<std::ptrdiff_t>(vertices),
+                          own.end());
+      }
+    }
+  }
+
+  void put(AlongValues& along) const { set_features(along, features_, values_); }
+
+ private:
+  std::span<const LineFeature> features_;
+  std::vector<std::vector<double>> values_;
+};
 
 // ---- One path -------------------------------------------------------------------------------
 
@@ -162,25 +197,36 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
-  const double size = style.example().feature_size();
   const std::vector<FlattenedSubpath>& flats = flat.subpaths;
   const std::vector<Subpath> old = subpaths(record.path);
   AlongValues along;
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
+  along.extras = record.along.extras;
+  StyledFeatures features(style.example().features());
+  bool any_drawn = false;
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
     const StyledCurve drawn =
         style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], variant});
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
-    const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
+    const FitTolerances tolerances =
+        fit_tolerances(style.example(), std::max(drawn.mean_scale, 0.05));
+    const bool stays = drawn.runs.empty();
     const SmoothCurve fresh =
-        drawn.runs.empty() ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
+        stays ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerances);
     path.append(fresh.path);
     append_values(along, record.along, flats[i], fresh.lengths);
+    if (stays) {
+      features.append_kept(along, drawn, fresh.lengths.size());
+    } else {
+      features.append(fresh);
+      any_drawn = true;
+    }
     measure.length += length;
     measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
   }
+  if (any_drawn) features.put(along);
   record.path = std::move(path);
   record.along = std::move(along);
   record.shape.clear();

@@ -38,10 +38,11 @@ struct StylePlan {
 
 // Draws every subpath of every path record again; all else stays. The outcome is smooth paths of
 // few cubics, with the corners of the drawing and of the style kept, within a hundredth of a
-// feature size. Values along the curves are carried to the new vertices. Paths that are the same
-// curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to 1/10000 px
-// except where curves begin and end. Lines that met, at their ends or one with the middle of
-// another, still meet.
+// feature size. Values along the curves are carried to the new vertices, but where the example has
+// values of the same name along its lines: those take their place, or come besides. Paths that are
+// the same curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to
+// 1/10000 px except where curves begin and end. Lines that met, at their ends or one with the
+// middle of another, still meet.
 //
 // Lines of different styles meet as well, and lines that stay with lines that do not. Which styles
 // other parts have does not change how a part is drawn.

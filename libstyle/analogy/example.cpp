@@ -2,6 +2,7 @@
 #include "libstyle/analogy/example.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -26,9 +27,9 @@ SampledCurve opened(SampledCurve curve) {
   if (curve.polyline.closed && curve.size() > 0) {
     curve.polyline.points.push_back(curve.polyline.points.front());
     curve.t.push_back(curve.t.front() + 1);
+    for (std::vector<double>& values : curve.channels) values.push_back(values.front());
   }
   curve.polyline.closed = false;
-  curve.channels.clear();
   return curve;
 }
 
@@ -36,6 +37,7 @@ struct Pair {
   Polyline filtered;
   std::optional<Polyline> unfiltered;
   std::vector<double> lengths;  // along the unfiltered curve, for each filtered vertex
+  std::vector<std::vector<double>> features;
 };
 
 SampledCurve checked(const SampledCurve& curve, double scale, const char* which) {
@@ -68,13 +70,27 @@ std::vector<double> lengths_at_parameters(const SampledCurve& curve,
   return lengths;
 }
 
+std::vector<std::vector<double>> scaled_features(std::vector<std::vector<double>> values,
+                                                 std::span<const LineFeature> features,
+                                                 double scale) {
+  assert(values.size() == features.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (features[i].kind != FeatureKind::kLength) continue;
+    for (double& value : values[i]) value *= scale;
+  }
+  return values;
+}
+
 Pair prepare(const ExamplePair& pair, double scale) {
   const SampledCurve filtered = checked(pair.filtered, scale, "filtered");
-  if (!pair.unfiltered) return {filtered.polyline, std::nullopt, {}};
+  std::vector<std::vector<double>> features =
+      scaled_features(filtered.channels, pair.features, scale);
+  if (!pair.unfiltered) return {filtered.polyline, std::nullopt, {}, std::move(features)};
   const SampledCurve unfiltered = checked(*pair.unfiltered, scale, "unfiltered");
   return {filtered.polyline, unfiltered.polyline,
           pair.same_parameter ? lengths_at_parameters(unfiltered, filtered.t)
-                              : corresponding_lengths(filtered.polyline, unfiltered.polyline)};
+                              : corresponding_lengths(filtered.polyline, unfiltered.polyline),
+          std::move(features)};
 }
 
 double total_length(std::span<const Polyline> curves) {
@@ -98,7 +114,7 @@ std::vector<double> sharp_parameters(const SampledCurve& curve) {
 
 // The filtered curve, sampled evenly, with t the length along the unfiltered one.
 SampledCurve sampled_filtered(const Pair& pair, double spacing) {
-  SampledCurve curve{pair.filtered, pair.lengths, {}};
+  SampledCurve curve{pair.filtered, pair.lengths, pair.features};
   curve = without_repeated_points(curve);
   return resample(curve, spacing, sharp_parameters(curve));
 }
@@ -136,18 +152,35 @@ double stray(std::span<const ExampleLine> lines) {
 
 }  // namespace
 
-ExampleLine::ExampleLine(Sweep sweep, std::vector<Sample> samples)
-    : sweep_(std::move(sweep)), samples_(std::move(samples)) {}
+ExampleLine::ExampleLine(Sweep sweep, std::vector<Sample> samples,
+                         std::vector<std::vector<double>> features)
+    : sweep_(std::move(sweep)), samples_(std::move(samples)), features_(std::move(features)) {}
+
+ExampleLine::Between ExampleLine::between(double length) const {
+  const auto above = std::ranges::upper_bound(samples_, length, {}, &Sample::length);
+  const auto after = static_cast<std::size_t>(above - samples_.begin());
+  if (after == 0) return {0, 0, 0};
+  if (after == samples_.size()) return {after - 1, after - 1, 0};
+  const double start = samples_[after - 1].length, end = samples_[after].length;
+  return {after - 1, after, (length - start) / (end - start)};
+}
 
 ExampleLine::Sample ExampleLine::at(double length) const {
-  const auto after = std::ranges::upper_bound(samples_, length, {}, &Sample::length);
-  if (after == samples_.begin()) return samples_.front();
-  if (after == samples_.end()) return samples_.back();
-  const Sample& a = *std::prev(after);
-  const Sample& b = *after;
-  const double share = (length - a.length) / (b.length - a.length);
+  const auto [before, after, share] = between(length);
+  if (before == after) return samples_[before];
+  const Sample &a = samples_[before], &b = samples_[after];
   const Vector tangent = normalized(lerp(a.tangent, b.tangent, share));
   return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent};
+}
+
+std::vector<double> ExampleLine::features_at(double length) const {
+  if (features_.empty()) return {};
+  const auto [before, after, share] = between(length);
+  std::vector<double> result;
+  for (const std::vector<double>& values : features_) {
+    result.push_back(std::lerp(values[before], values[after], share));
+  }
+  return result;
 }
 
 Point ExampleLine::filtered_at(double length) const {
@@ -189,10 +222,32 @@ Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParame
     Sweep sweep(*pair.unfiltered, parameters.smoothing * feature_along_, feature_along_,
                 parameters.invariance);
     const SampledCurve samples = sampled_filtered(pair, spacing);
-    lines_.emplace_back(std::move(sweep), offsets_from(sweep, samples));
+    std::vector<ExampleLine::Sample> offsets = offsets_from(sweep, samples);
+    lines_.emplace_back(std::move(sweep), std::move(offsets), samples.channels);
   }
   reach_ = stray(lines_);
+  features_ = examples.front().features;
+  measure_features();
   cut_into_states();
+}
+
+void Example::measure_features() {
+  for (std::size_t feature = 0; feature < features_.size(); ++feature) {
+    double sum = 0, squares = 0, count = 0, low = HUGE_VAL, high = -HUGE_VAL;
+    for (const ExampleLine& line : lines_) {
+      for (const double value : line.feature(feature)) {
+        sum += value;
+        squares += value * value;
+        count += 1;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+    const double mean = sum / count;
+    const double variance = high > low ? std::max(0.0, squares / count - mean * mean) : 0;
+    const bool is_length = features_[feature].kind == FeatureKind::kLength;
+    statistics_.push_back({mean, std::sqrt(variance), is_length ? high : high - low});
+  }
 }
 
 void Example::cut_into_states() {

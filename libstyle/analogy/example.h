@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "libstyle/analogy/line_features.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/sweep.h"
 #include "libstyle/geometry/polyline.h"
@@ -15,14 +16,17 @@
 namespace libstyle {
 
 // A and A'. same_parameter says that places with equal t belong together; otherwise which do is
-// found from the shapes.
+// found from the shapes. What the channels of the filtered curve are is said by `features`, the
+// same for all pairs of a style.
 struct ExamplePair {
   std::optional<SampledCurve> unfiltered;  // left out: the filtered curve, blurred
   SampledCurve filtered;
   bool same_parameter = false;
+  std::vector<LineFeature> features = {};
 };
 
-// One pair. The filtered curve is a function of the length along the unfiltered one.
+// One pair. The filtered curve is a function of the length along the unfiltered one, and so are its
+// features.
 class ExampleLine {
  public:
   struct Sample {
@@ -31,19 +35,40 @@ class ExampleLine {
     Vector tangent;     // unit vector along the filtered curve, in the frame
   };
 
-  ExampleLine(Sweep sweep, std::vector<Sample> samples);
+  // `features` has a row for each feature, with one value for each sample.
+  ExampleLine(Sweep sweep, std::vector<Sample> samples,
+              std::vector<std::vector<double>> features = {});
 
   double length() const { return sweep_.length(); }
   const Sweep& sweep() const { return sweep_; }
   std::span<const Sample> samples() const { return samples_; }
   // Interpolated; the ends hold beyond themselves.
   Sample at(double length) const;
+  std::vector<double> features_at(double length) const;
+  // The values of a feature at the samples.
+  std::span<const double> feature(std::size_t index) const { return features_[index]; }
   // The place of the filtered curve.
   Point filtered_at(double length) const;
 
  private:
+  // Two samples, the same beyond the ends, and how far it is from the first to the second.
+  struct Between {
+    std::size_t before = 0, after = 0;
+    double share = 0;
+  };
+
+  Between between(double length) const;
+
   Sweep sweep_;
   std::vector<Sample> samples_;
+  std::vector<std::vector<double>> features_;
+};
+
+// The values of a feature in all examples of a style.
+struct FeatureStatistics {
+  double mean = 0;
+  double spread = 0;  // standard deviation
+  double extent = 0;  // how much there is to be seen: the largest length, the range of numbers
 };
 
 // All pairs of a style, cut into states: pieces of equal length along the unfiltered curves.
@@ -60,6 +85,9 @@ class Example {
   double reach() const { return reach_; }
 
   std::span<const ExampleLine> lines() const { return lines_; }
+
+  std::span<const LineFeature> features() const { return features_; }
+  const FeatureStatistics& statistics(std::size_t feature) const { return statistics_[feature]; }
 
   double step() const { return step_; }
   std::size_t state_count() const { return starts_.size(); }
@@ -79,12 +107,15 @@ class Example {
   };
 
   void cut_into_states();
+  void measure_features();
 
   double feature_size_ = 0;
   double feature_along_ = 0;
   double reach_ = 0;
   double step_ = 0;
   std::vector<ExampleLine> lines_;
+  std::vector<LineFeature> features_;
+  std::vector<FeatureStatistics> statistics_;
   std::vector<Start> starts_;
 };
 

@@ -19,6 +19,8 @@ constexpr std::size_t kTellingVertices = 8;  // that many are hardly the same nu
 
 struct ExampleCurve {
   Polyline polyline;
+  std::vector<LineFeature> features;
+  std::vector<std::vector<double>> values;  // of the features at each point
   std::vector<double> vertices;  // the place of each point among the vertices of its path
   std::vector<double> t;         // given along the curve; may be empty
   std::size_t vertex_count = 0;
@@ -32,7 +34,11 @@ void append_curves(std::vector<ExampleCurve>& curves, const PathRecord& record, 
   const std::vector<double>* t = record.along.find("t");
   for (const FlattenedSubpath& flat : flatten(record.path, tolerance)) {
     if (flat.polyline.points.size() < 2 || !(arc_length(flat.polyline) > 0)) continue;
-    ExampleCurve curve{flat.polyline, {}, {}, count_vertices(flat)};
+    ExampleCurve curve{flat.polyline,       line_features(record.along), {}, {}, {},
+                       count_vertices(flat)};
+    for (const LineFeature& feature : curve.features) {
+      curve.values.push_back(values_along(flat.places, feature_values(record.along, feature)));
+    }
     const std::size_t first = flat.places.front().start_vertex;
     for (const PathPlace& place : flat.places) {
       curve.vertices.push_back(static_cast<double>(place.start_vertex - first) + place.t);
@@ -57,6 +63,28 @@ std::vector<ExampleCurve> curves_of(const Document& document) {
 
 std::string counted(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " curve" : " curves");
+}
+
+// What all the curves have.
+std::vector<LineFeature> common_features(std::span<const ExampleCurve> curves) {
+  std::vector<LineFeature> common = curves.front().features;
+  for (const ExampleCurve& curve : curves) {
+    std::erase_if(common, [&](const LineFeature& feature) {
+      return std::ranges::find(curve.features, feature) == curve.features.end();
+    });
+  }
+  return common;
+}
+
+void add_features(ExamplePair& pair, const ExampleCurve& filtered,
+                  const std::vector<LineFeature>& features) {
+  pair.features = features;
+  pair.filtered.channels.clear();
+  for (const LineFeature& feature : features) {
+    const auto own = std::ranges::find(filtered.features, feature);
+    pair.filtered.channels.push_back(
+        filtered.values[static_cast<std::size_t>(own - filtered.features.begin())]);
+  }
 }
 
 SampledCurve with_parameter(const ExampleCurve& curve, const std::vector<double>& t) {
@@ -91,10 +119,12 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
   const std::vector<ExampleCurve> after = curves_of(filtered);
   if (after.empty())
     throw Error("the filtered example has no curve; draw one that shows the style");
+  const std::vector<LineFeature> features = common_features(after);
   std::vector<ExamplePair> pairs;
   if (!unfiltered) {
     for (const ExampleCurve& curve : after) {
       pairs.push_back({std::nullopt, with_length_parameter(curve.polyline), false});
+      add_features(pairs.back(), curve, features);
     }
     return pairs;
   }
@@ -103,7 +133,10 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
     throw Error("the unfiltered example has " + counted(before.size()) + ", the filtered one " +
                 counted(after.size()) + "; draw one for one, in the same order");
   }
-  for (std::size_t i = 0; i < after.size(); ++i) pairs.push_back(make_pair(before[i], after[i]));
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    pairs.push_back(make_pair(before[i], after[i]));
+    add_features(pairs.back(), after[i], features);
+  }
   return pairs;
 }
 

@@ -13,6 +13,7 @@ namespace libstyle {
 // `unfiltered` may be null. Subpaths count as curves; single points among them do not. Which places
 // belong together is taken from the "t" values along the curves if both have them, from the
 // vertices if both curves have the same number of them, 8 or more, and from the shapes otherwise.
+// What goes along the filtered curves comes with them, as far as all of them have it.
 // Throws Error when there is no curve, or not as many in both.
 std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered);
 

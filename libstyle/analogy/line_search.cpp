@@ -83,13 +83,30 @@ LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
   const SearchedCurve drawn =
       search_.draw(scaled(with_length_parameter(line), 1 / scale), constraints, place, variant);
 
-  Result result{{scaled(drawn.curve, scale).polyline, {}}, find_runs(drawn)};
+  Result result{{scaled(drawn.curve, scale).polyline, {}, copied_features(drawn, scale)},
+                find_runs(drawn)};
   for (const double t : drawn.curve.t) result.line.lengths.push_back(t * along.total());
   // Scaling there and back rounds.
   for (const CurveConstraint& constraint : held_places(along, held)) {
     const auto at = std::ranges::lower_bound(drawn.curve.t, constraint.t);
     result.line.curve.points[static_cast<std::size_t>(at - drawn.curve.t.begin())] =
         constraint.position;
+  }
+  return result;
+}
+
+// Of the place that each vertex was copied from.
+std::vector<std::vector<double>> LineSearch::copied_features(const SearchedCurve& drawn,
+                                                             double scale) const {
+  const std::span<const LineFeature> features = example_.features();
+  std::vector<std::vector<double>> result(features.size());
+  for (const SearchedCurve::Source& source : drawn.sources) {
+    const ExampleLine& line = example_.lines()[source.example];
+    const std::vector<double> values = line.features_at(source.t * line.length());
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const bool is_length = features[i].kind == FeatureKind::kLength;
+      result[i].push_back(is_length ? scale * values[i] : values[i]);
+    }
   }
   return result;
 }

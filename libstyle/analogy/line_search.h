@@ -30,6 +30,7 @@ class LineSearch {
               std::uint64_t variant) const;
 
  private:
+  std::vector<std::vector<double>> copied_features(const SearchedCurve& drawn, double scale) const;
   std::vector<ChainRun> find_runs(const SearchedCurve& drawn) const;
   ChainState state_of(const SearchedCurve::Source& source) const;
 

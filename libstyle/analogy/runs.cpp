@@ -2,6 +2,7 @@
 #include "libstyle/analogy/runs.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace libstyle {
 namespace {
@@ -61,6 +62,19 @@ Vector PlacedRuns::offset_at(const Blend& blend, double x) const {
   const Vector left = offset_of(placed_[blend.left], x);
   if (blend.left == blend.right) return left;
   return lerp(left, offset_of(placed_[blend.right], x), blend.right_share);
+}
+
+std::vector<double> PlacedRuns::features_at(const Blend& blend, double x) const {
+  const auto features_of = [&](const Placed& run) {
+    return run.line->features_at(length_at(run, x));
+  };
+  std::vector<double> result = features_of(placed_[blend.left]);
+  if (blend.left == blend.right) return result;
+  const std::vector<double> right = features_of(placed_[blend.right]);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::lerp(result[i], right[i], blend.right_share);
+  }
+  return result;
 }
 
 Vector PlacedRuns::offset_of(const Placed& run, double x) const {

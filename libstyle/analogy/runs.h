@@ -58,6 +58,8 @@ class PlacedRuns {
 
   Blend blend_at(double x) const;
   Vector offset_at(const Blend& blend, double x) const;
+  // The features of the example, in its size.
+  std::vector<double> features_at(const Blend& blend, double x) const;
 
   // Coordinates from 0 to below `steps` at which the example has samples, or one run follows
   // another; rising, and never closer than kSamePlace.

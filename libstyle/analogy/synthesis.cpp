@@ -31,25 +31,37 @@ constexpr double kRepeatFactor = 0.03;    // for each time that a place was used
 constexpr double kSpareSteps = 1.15;
 
 // The example as its own line, along which it has no offsets: what is left to compare is tangents.
-std::vector<ExamplePair> pairs_of(std::span<const Polyline> examples) {
-  std::vector<ExamplePair> pairs;
-  for (const Polyline& example : examples) {
-    const SampledCurve curve = with_length_parameter(example);
-    pairs.push_back({curve, curve, true});
+std::vector<ExamplePair> own_lines(std::vector<ExamplePair> pairs) {
+  for (ExamplePair& pair : pairs) {
+    pair.unfiltered = with_length_parameter(pair.filtered.polyline);
+    pair.filtered.t = pair.unfiltered->t;
+    pair.same_parameter = true;
   }
   return pairs;
 }
 
-CurveAnalogyParameters synthesis_parameters(std::span<const Polyline> examples,
+std::vector<ExamplePair> pairs_of(std::span<const Polyline> examples) {
+  std::vector<ExamplePair> pairs;
+  for (const Polyline& example : examples) {
+    pairs.push_back({std::nullopt, with_length_parameter(example)});
+  }
+  return pairs;
+}
+
+CurveAnalogyParameters synthesis_parameters(std::span<const ExamplePair> examples,
                                             CurveAnalogyParameters parameters) {
   validate(parameters);
   parameters.smoothing = 0;
+  std::vector<Polyline> curves;
   double length = 0;
-  for (const Polyline& example : examples) length += arc_length(example);
+  for (const ExamplePair& example : examples) {
+    curves.push_back(example.filtered.polyline);
+    length += arc_length(curves.back());
+  }
   // Curves that cannot serve are refused by Example.
   if (!parameters.feature_size && length > 0 && std::isfinite(length)) {
     parameters.feature_size =
-        std::min(find_feature_size(examples, std::nullopt), kLargestFeature * length);
+        std::min(find_feature_size(curves, std::nullopt), kLargestFeature * length);
   }
   return parameters;
 }
@@ -92,23 +104,37 @@ class Moves {
   std::vector<Vector> turns_;
 };
 
+void append_features(SynthesizedCurve& drawn, const std::vector<double>& values) {
+  drawn.features.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) drawn.features[i].push_back(values[i]);
+}
+
 // The beginning of the curve, up to a length.
-Polyline cut(Polyline curve, double length) {
-  const ArcLength along(curve);
-  if (!(along.total() > length)) return curve;
-  const PolylinePlace end = along.place_at(length);
-  curve.points.resize(end.segment + 1);
+void cut(SynthesizedCurve& drawn, double length) {
+  const ArcLength along(drawn.curve);
+  if (!(along.total() > length)) return;
+  const auto [segment, fraction] = along.place_at(length);
   const Point last = along.point_at(length);
-  if (last != curve.points.back()) curve.points.push_back(last);
-  return curve;
+  const bool ends_between = last != drawn.curve.points[segment];
+  drawn.curve.points.resize(segment + 1);
+  if (ends_between) drawn.curve.points.push_back(last);
+  for (std::vector<double>& values : drawn.features) {
+    const double end = std::lerp(values[segment], values[segment + 1], fraction);
+    values.resize(segment + 1);
+    if (ends_between) values.push_back(end);
+  }
 }
 
 }  // namespace
 
 CurveSynthesis::CurveSynthesis(std::span<const Polyline> examples,
                                const CurveAnalogyParameters& parameters)
+    : CurveSynthesis(pairs_of(examples), parameters) {}
+
+CurveSynthesis::CurveSynthesis(std::span<const ExamplePair> examples,
+                               const CurveAnalogyParameters& parameters)
     : parameters_(synthesis_parameters(examples, parameters)),
-      example_(pairs_of(examples), parameters_),
+      example_(own_lines({examples.begin(), examples.end()}), parameters_),
       jumps_(make_jump_model(example_, parameters_.mean_run.value_or(kMeanRun), false)) {}
 
 double CurveSynthesis::longest_curve() const { return kMostSteps * example_.step(); }
@@ -136,11 +162,14 @@ SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place,
   const Moves moves(runs);
   Point at;
   result.curve.points = {at};
+  append_features(result, runs.features_at(runs.blend_at(0), 0));
   for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
     at += moves.between(xs[i], xs[i + 1]);
-    if (at != result.curve.points.back()) result.curve.points.push_back(at);
+    if (at == result.curve.points.back()) continue;
+    result.curve.points.push_back(at);
+    append_features(result, runs.features_at(runs.blend_at(xs[i + 1]), xs[i + 1]));
   }
-  result.curve = cut(std::move(result.curve), length);
+  cut(result, length);
   return result;
 }
 

@@ -43,8 +43,9 @@
 namespace libstyle {
 
 struct SynthesizedCurve {
-  Polyline curve;              // open; begins at the origin
-  std::vector<ChainRun> runs;  // what it was copied from
+  Polyline curve;                             // open; begins at the origin
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
+  std::vector<ChainRun> runs;                 // what it was copied from
 };
 
 class CurveSynthesis {
@@ -52,6 +53,8 @@ class CurveSynthesis {
   // Of the parameters seed, invariance, scale, feature_size, samples and mean_run count. Throws
   // Error when one is out of range or an example cannot serve. Examples are cut where they close.
   CurveSynthesis(std::span<const Polyline> examples, const CurveAnalogyParameters& parameters);
+  // The filtered curves of the pairs, with their features.
+  CurveSynthesis(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters);
 
   // A curve of this length, px of the drawing: > 0 and at most longest_curve(). `place` tells
   // curves of one seed apart, `variant` is added to the seed. Throws Error for other lengths. Safe

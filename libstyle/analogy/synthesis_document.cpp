@@ -12,8 +12,7 @@
 namespace libstyle {
 namespace {
 
-constexpr double kFitTolerance = 0.01;  // of a feature size, as for lines drawn again
-constexpr double kMargin = 0.02;        // of the longer side
+constexpr double kMargin = 0.02;  // of the longer side
 
 PathRecord painted_like(const Document& example) {
   PathRecord path;
@@ -36,18 +35,16 @@ PathRecord painted_like(const Document& example) {
 
 }  // namespace
 
-std::vector<Polyline> synthesis_examples(const Document& example) {
-  std::vector<Polyline> curves;
-  for (ExamplePair& pair : example_pairs(nullptr, example)) {
-    curves.push_back(std::move(pair.filtered.polyline));
-  }
-  return curves;
+std::vector<ExamplePair> synthesis_examples(const Document& example) {
+  return example_pairs(nullptr, example);
 }
 
 Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,
                               std::uint64_t variant) {
+  SynthesizedCurve made = style.draw(length, 0, variant);
   StyledCurve drawn;
-  drawn.curve = style.draw(length, 0, variant).curve;
+  drawn.curve = std::move(made.curve);
+  drawn.features = std::move(made.features);
   Box box;
   for (const Point p : drawn.curve.points) box.include(p);
   PathRecord path = painted_like(example);
@@ -56,7 +53,10 @@ Document synthesized_document(const CurveSynthesis& style, const Document& examp
   for (Point& p : drawn.curve.points) p += Point{margin, margin} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
-  path.path = smooth_curve(drawn, length, kFitTolerance * style.example().feature_size()).path;
+  const Example& own = style.example();
+  SmoothCurve smooth = smooth_curve(drawn, length, fit_tolerances(own, 1));
+  path.path = std::move(smooth.path);
+  set_features(path.along, own.features(), smooth.features);
   Document document;
   document.header.name = example.header.name;
   document.header.width = std::ceil(size.x + 2 * margin);

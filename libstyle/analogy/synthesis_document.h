@@ -11,8 +11,9 @@
 
 namespace libstyle {
 
-// The subpaths of a document as examples. Throws Error when there are none.
-std::vector<Polyline> synthesis_examples(const Document& example);
+// The subpaths of a document as examples, with what goes along them. Throws Error when there are
+// none.
+std::vector<ExamplePair> synthesis_examples(const Document& example);
 
 // A page with one curve, painted as the first path of `example`, with a small margin round it.
 Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,

@@ -41,6 +41,12 @@ command_case(curve-analogy/without-an-example
 command_case(curve-analogy/unfiltered-without-filtered
   RUN "curve-analogy --unfiltered styles/wavy-plain.svg --style sea=styles/wavy.svg drawings/harbour.svg" EXIT 2
   STDERR "~curve-analogy: give an example of the style: --filtered FILE, or --style WHAT=FILE.*")
+command_case(curve-analogy/a-brush-gives-widths-to-all-lines
+  RUN "curve-analogy --unfiltered styles/brush-plain.svg --filtered styles/brush.curves drawings/harbour.svg | grep -c '\"along\":{\"width\":'"
+  SAME "svg2curves drawings/harbour.svg | grep -c '\"type\":\"path\"'")
+command_case(curve-analogy/a-brush-from-nothing
+  RUN "curve-analogy --filtered styles/brush.curves --synthesize 900 | tail -n 1 | grep -o '\"along\":{\"width\":'"
+  SAME "echo '\"along\":{\"width\":'")
 
 # Styles for parts. The sea of the harbour is four lines of class water in a layer "Sea".
 command_case(curve-analogy/a-class-a-layer-and-a-label-may-name-the-same

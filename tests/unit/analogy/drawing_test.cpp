@@ -242,6 +242,35 @@ TEST(DrawAgain, CarriesValuesAlongTheCurve) {
   EXPECT_EQ(widths.back(), 1);
 }
 
+TEST(DrawAgain, GivesLinesTheValuesOfTheExample) {
+  std::vector<ExamplePair> pairs = wavy_pairs();
+  pairs[0].features = {{"width", FeatureKind::kLength}};
+  pairs[0].filtered.channels = {{}};
+  for (const Point p : pairs[0].filtered.polyline.points) {
+    pairs[0].filtered.channels[0].push_back(3 + std::sin(p.x / 9));
+  }
+  const CurveAnalogy brush(pairs, {});
+  Document document;
+  PathRecord record = path_record("stroke", "M0 0 L300 0 M5 5 M0 50 L300 50");
+  record.along.channels = {{"tilt", {1, 2, 7, 3, 4}}, {"width", {9, 9, 8, 9, 9}}};
+  document.records = {record, path_record("plain", "M0 100 L300 100 M9 9"),
+                      path_record("dot", "M9 9")};
+  draw_again(document, brush, {.threads = 1, .progress = {}, .warn = {}});
+  const PathRecord& stroke = path_at(document, 0);
+  const std::vector<double>& widths = *stroke.along.find("width");
+  ASSERT_EQ(widths.size(), stroke.path.vertex_count());
+  ASSERT_EQ(stroke.along.find("tilt")->size(), stroke.path.vertex_count());
+  EXPECT_EQ(stroke.along.find("tilt")->front(), 1);
+  // What is drawn has the width of the example, and what is not keeps its own.
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const bool stays = stroke.path.vertices()[i] == Point{5, 5};
+    EXPECT_NEAR(widths[i], stays ? 8 : 3, stays ? 0 : 1);
+  }
+  EXPECT_EQ(path_at(document, 1).along.find("width")->size(),
+            path_at(document, 1).path.vertex_count());
+  EXPECT_TRUE(path_at(document, 2).along.empty());
+}
+
 TEST(DrawAgain, CarriesValuesAcrossTheSeamOfAnOutline) {
   // The outline begins in the middle of a side, where it is thinnest.
   Document document;

@@ -49,6 +49,19 @@ TEST(ExamplePairs, ManyVerticesOfTheSameNumberBelongTogether) {
   EXPECT_EQ(point_at_parameter(*pairs[0].unfiltered, 6.5), (Point{38, 0}));
 }
 
+TEST(ExamplePairs, BringWhatAllCurvesHaveAlong) {
+  Document styled = document_of({"M0 0 L5 5 L10 0", "M0 20 L10 20"});
+  std::get<PathRecord>(styled.records[0]).along.channels = {
+      {"tilt", {1, 2, 3}}, {"t", {0, 0.5, 1}}, {"width", {1, 4, 2}}};
+  std::get<PathRecord>(styled.records[1]).along.channels = {{"width", {3, 5}}};
+  const std::vector<ExamplePair> pairs = example_pairs(nullptr, styled);
+  for (const ExamplePair& pair : pairs) {
+    EXPECT_THAT(pair.features, testing::ElementsAre(LineFeature{"width", FeatureKind::kLength}));
+  }
+  EXPECT_THAT(pairs[0].filtered.channels, testing::ElementsAre(testing::ElementsAre(1, 4, 2)));
+  EXPECT_THAT(pairs[1].filtered.channels, testing::ElementsAre(testing::ElementsAre(3, 5)));
+}
+
 TEST(ExamplePairs, GivenParametersComeFirst) {
   Document plain = document_of({"M0 0 L10 0"}), styled = document_of({"M0 0 L2 3 L10 0"});
   std::get<PathRecord>(plain.records[0]).along.channels = {{"t", {0, 1}}};
