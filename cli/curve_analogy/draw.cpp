@@ -23,7 +23,8 @@ WarningHandler warnings_from(const std::string& input, Session& session) {
 }  // namespace
 
 void draw(const Settings& settings, Session& session) {
-  const int variants = settings.variant_count();
+  const int count = settings.document_count();
+  const double coherence = settings.coherence_of_frames();
   StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);
   for (const std::string& name : settings.inputs) {
@@ -33,9 +34,12 @@ void draw(const Settings& settings, Session& session) {
       DrawingOptions options{settings.threads, session.progress_handler(),
                              warnings_from(name, session)};
       const StylePlan plan = styles.plan(document, options.warn);
-      for (int i = 0; i < variants; ++i) {
+      DrawnWalks walks;
+      options.coherence = coherence;
+      if (settings.frames) options.walks = &walks;
+      for (int i = 0; i < count; ++i) {
         Document variant = document;
-        if (settings.variants) variant.header.name = variant_name(document.header.name, i + 1);
+        if (settings.is_numbered()) variant.header.name = variant_name(document.header.name, i + 1);
         variant.header.history.push_back(session.history());
         options.variant = static_cast<std::uint64_t>(i);
         draw_again(variant, plan, options);

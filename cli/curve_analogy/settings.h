@@ -17,7 +17,7 @@ struct Settings {
   std::string unfiltered;
   std::string filtered;
   std::vector<std::string> styles;
-  std::optional<double> variants;
+  std::optional<double> variants, frames, frame_coherence;
   std::string scale = "1";
   std::optional<double> synthesize;
   std::string invariance;  // empty: as the work at hand wants it
@@ -31,8 +31,11 @@ struct Settings {
   CurveAnalogyParameters parameters;
 
   bool is_greedy() const { return method == "greedy" || faithful; }
-  // How many documents are made of each; 1 if it is not said.
-  int variant_count() const;
+  // How many documents are made of each, be they variants or frames; 1 if it is not said.
+  int document_count() const;
+  bool is_numbered() const { return variants || frames; }
+  // How much of a frame stays in the next.
+  double coherence_of_frames() const;
 };
 
 // A factor; unset for "auto": as the drawing needs it. Throws UsageError.

@@ -28,7 +28,8 @@ void synthesize(const Settings& settings, Session& session) {
   if (settings.filtered.empty()) throw UsageError("give an example of the style: --filtered FILE");
   if (!(*settings.synthesize > 0)) throw UsageError("--synthesize must be above 0");
 
-  const int variants = settings.variant_count();
+  refuse(settings.frames || settings.frame_coherence, "--frames");
+  const int variants = settings.document_count();
   const CurveAnalogyParameters parameters = checked_parameters(settings, scale);
   const Document example = read_example(settings.filtered, session);
   OutputFile output(settings.output);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "libstyle/analogy/stitch.h"
 #include "libstyle/analogy/warp.h"
@@ -13,37 +14,51 @@ namespace {
 
 constexpr double kStitchReach = 3;  // feature sizes
 constexpr double kWarpWidth = 3;    // feature sizes
+constexpr double kCrumb = 0.5;      // feature sizes: what is left of a stroke and not worth drawing
+constexpr double kNearEnd = 0.5;  // feature sizes: a stroke that near to the end of a line is at it
 
-// The line that a walk is drawn along, in style coordinates.
+// A stroke of a lane, and the line that it is drawn along, in style coordinates. Round a closed
+// line a stroke may go on beyond the last step.
 struct Ground {
   const Sweep& line;
   const StyleGrid& grid;
+  const PlacedRuns& runs;
+  std::size_t lane = 0;
+  bool closed = false;  // the stroke, and with it the line
+
+  double steps() const { return static_cast<double>(grid.steps()); }
+  bool is_beyond(double x) const { return line.closed() && x >= steps(); }
+  double in_range(double x) const { return is_beyond(x) ? x - steps() : x; }
+  double length_at(double x) const { return grid.length_at(in_range(x)); }
 
   Vector to_page(Vector offset, double x) const {
-    return grid.scale_at(x) * libstyle::to_page(offset, line.frame_at(grid.length_at(x)));
+    return grid.scale_at(in_range(x)) * libstyle::to_page(offset, line.frame_at(length_at(x)));
+  }
+  Vector offset_at(const PlacedRuns::Blend& blend, double x) const {
+    return runs.offset_at(blend, x, lane);
   }
 };
 
 // Offsets on the page at the coordinates, stitched where runs meet.
-std::vector<Vector> stitched_offsets(const PlacedRuns& runs, const Ground& ground,
-                                     std::span<const double> xs, double steps, double reach) {
-  const bool closed = ground.line.closed();
+std::vector<Vector> stitched_offsets(const Ground& ground, std::span<const double> xs,
+                                     double reach) {
   const std::size_t n = xs.size();
-  std::vector<Vector> anchors(n), moves(closed ? n : n - 1);
+  std::vector<Vector> anchors(n), moves(ground.closed ? n : n - 1);
   std::vector<double> gaps(moves.size());
   for (std::size_t i = 0; i < n; ++i) {
-    anchors[i] = ground.to_page(runs.offset_at(runs.blend_at(xs[i]), xs[i]), xs[i]);
+    anchors[i] =
+        ground.to_page(ground.offset_at(ground.runs.blend_at(xs[i], ground.lane), xs[i]), xs[i]);
   }
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const double from = xs[i], to = i + 1 < n ? xs[i + 1] : xs[0] + steps;
-    const PlacedRuns::Blend blend = runs.blend_at((from + to) / 2);
+    const double from = xs[i], to = i + 1 < n ? xs[i + 1] : xs[0] + ground.steps();
+    const PlacedRuns::Blend blend = ground.runs.blend_at((from + to) / 2, ground.lane);
     // The frame at xs[0] is the one at `to` too when the curve closes.
-    moves[i] = ground.to_page(runs.offset_at(blend, to), i + 1 < n ? to : xs[0]) -
-               ground.to_page(runs.offset_at(blend, from), from);
+    moves[i] = ground.to_page(ground.offset_at(blend, to), i + 1 < n ? to : xs[0]) -
+               ground.to_page(ground.offset_at(blend, from), from);
     gaps[i] = to - from;
   }
-  if (closed && n < 3) return anchors;
-  return stitch(anchors, moves, gaps, reach, closed);
+  if (ground.closed && n < 3) return anchors;
+  return stitch(anchors, moves, gaps, reach, ground.closed);
 }
 
 // The sample coordinates with the held ones among them, bit for bit.
@@ -74,49 +89,133 @@ void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<co
   for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += warp.at(xs[i]);
 }
 
-std::vector<std::vector<double>> copied_features(const Example& example, const PlacedRuns& runs,
-                                                 const StyleGrid& grid,
+std::vector<std::vector<double>> copied_features(const Example& example, const Ground& ground,
                                                  std::span<const double> xs) {
   const std::span<const LineFeature> features = example.features();
   std::vector<std::vector<double>> result(features.size());
   if (features.empty()) return result;
   for (const double x : xs) {
-    const std::vector<double> values = runs.features_at(runs.blend_at(x), x);
+    const std::vector<double> values =
+        ground.runs.features_at(ground.runs.blend_at(x, ground.lane), x, ground.lane);
+    const double scale = ground.grid.scale_at(ground.in_range(x));
     for (std::size_t i = 0; i < features.size(); ++i) {
       const bool is_length = features[i].kind == FeatureKind::kLength;
-      result[i].push_back(is_length ? grid.scale_at(x) * values[i] : values[i]);
+      result[i].push_back(is_length ? scale * values[i] : values[i]);
     }
   }
   return result;
+}
+
+// A stroke through the coordinates, moved to the line at the held ones.
+DrawnLine draw_stroke(const Example& example, const Ground& ground, std::vector<double> xs,
+                      std::span<const double> held) {
+  const double feature = example.feature_along() / example.step();
+  const Sweep& line = ground.line;
+  xs = with_held(xs, held);
+  std::vector<Vector> offsets = stitched_offsets(ground, xs, kStitchReach * feature);
+  std::optional<double> period;
+  if (ground.closed) period = ground.steps();
+  hold(offsets, xs, held, kWarpWidth * feature, period);
+
+  DrawnLine drawn{{{}, ground.closed}, {}, copied_features(example, ground, xs)};
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const bool is_held = std::ranges::binary_search(held, xs[i]);
+    const bool is_end = !line.closed() && xs[i] >= ground.steps();
+    const double length = is_end ? line.length() : ground.length_at(xs[i]);
+    drawn.lengths.push_back(length + (ground.is_beyond(xs[i]) ? line.length() : 0));
+    const Point place = line.point_at(length);
+    drawn.curve.points.push_back(is_held ? place : place + offsets[i]);
+  }
+  return drawn;
+}
+
+// ---- Lines of several strokes -------------------------------------------------------------------
+
+// What is that near the end of a line reaches it.
+std::vector<Lane::Stroke> reaching_ends(std::vector<Lane::Stroke> strokes, const Ground& ground,
+                                        double near) {
+  if (strokes.empty() || ground.line.closed()) return strokes;
+  if (strokes.front().begin < near) strokes.front().begin = 0;
+  if (strokes.back().end > ground.steps() - near) strokes.back().end = ground.steps();
+  return strokes;
+}
+
+// The coordinates of a lane that lie on a stroke, and its ends.
+std::vector<double> coordinates_on(const Lane::Stroke& stroke, std::span<const double> all,
+                                   const Ground& ground) {
+  std::vector<double> result = {stroke.begin};
+  for (const double turn : {0.0, ground.steps()}) {
+    for (const double x : all) {
+      if (x + turn > stroke.begin + kSamePlace && x + turn < stroke.end - kSamePlace) {
+        result.push_back(x + turn);
+      }
+    }
+  }
+  result.push_back(stroke.end);
+  return result;
+}
+
+struct LaneStroke {
+  Ground ground;
+  std::vector<double> xs;
+  std::vector<double> held;
+};
+
+// The stroke that passes nearest to where the line is held has to pass there exactly.
+void hold_nearest(std::span<LaneStroke> strokes, double x) {
+  LaneStroke* nearest = nullptr;
+  double least = 0, place = 0;
+  for (LaneStroke& stroke : strokes) {
+    for (const double turn : {0.0, stroke.ground.steps()}) {
+      const double own = x + turn;
+      if (own < stroke.xs.front() - kSamePlace || own > stroke.xs.back() + kSamePlace) continue;
+      if (turn > 0 && !stroke.ground.line.closed()) continue;
+      const Ground& ground = stroke.ground;
+      const double off =
+          squared_norm(ground.offset_at(ground.runs.blend_at(own, ground.lane), own));
+      if (nearest && off >= least) continue;
+      nearest = &stroke;
+      least = off;
+      place = own;
+    }
+  }
+  if (nearest) nearest->held.push_back(place);
 }
 
 }  // namespace
 
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
                     std::span<const ChainState> walk, std::span<const double> held) {
-  const std::vector<ChainRun> found = find_runs(example, walk);
-  const PlacedRuns runs(example, found, grid.steps(), line.closed());
-  const auto steps = static_cast<double>(grid.steps());
+  const PlacedRuns runs(example, find_runs(example, walk), grid.steps(), line.closed());
+  const Ground ground{line, grid, runs, 0, line.closed()};
+  std::vector<double> xs = runs.sample_coordinates(ground.steps());
+  if (!line.closed()) xs.push_back(ground.steps());
+  return draw_stroke(example, ground, std::move(xs), held);
+}
+
+std::vector<DrawnLine> draw_strokes(const Example& example, const Sweep& line,
+                                    const StyleGrid& grid, std::span<const ChainState> walk,
+                                    std::span<const double> held) {
+  const PlacedRuns runs(example, find_runs(example, walk), grid.steps(), line.closed());
   const double feature = example.feature_along() / example.step();
-  std::vector<double> xs = runs.sample_coordinates(steps);
-  if (!line.closed()) xs.push_back(steps);
-  xs = with_held(xs, held);
-
-  const Ground ground{line, grid};
-  std::vector<Vector> offsets = stitched_offsets(runs, ground, xs, steps, kStitchReach * feature);
-  std::optional<double> period;
-  if (line.closed()) period = steps;
-  hold(offsets, xs, held, kWarpWidth * feature, period);
-
-  DrawnLine drawn{{{}, line.closed()}, {}, copied_features(example, runs, grid, xs)};
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    const bool is_held = std::ranges::binary_search(held, xs[i]);
-    const bool is_end = !line.closed() && i + 1 == xs.size();
-    drawn.lengths.push_back(is_end ? line.length() : grid.length_at(xs[i]));
-    const Point place = line.point_at(drawn.lengths.back());
-    drawn.curve.points.push_back(is_held ? place : place + offsets[i]);
+  std::vector<LaneStroke> strokes;
+  for (std::size_t lane = 0; lane < example.lane_count(); ++lane) {
+    Ground ground{line, grid, runs, lane, false};
+    const std::vector<double> all = runs.sample_coordinates(ground.steps(), lane);
+    for (const Lane::Stroke& stroke : reaching_ends(
+             runs.strokes(ground.steps(), lane, kCrumb * feature), ground, kNearEnd * feature)) {
+      ground.closed = line.closed() && stroke.begin == 0 && stroke.end == ground.steps();
+      std::vector<double> xs = ground.closed ? all : coordinates_on(stroke, all, ground);
+      strokes.push_back({ground, std::move(xs), {}});
+    }
   }
-  return drawn;
+  for (const double x : held) hold_nearest(strokes, x);
+  std::vector<DrawnLine> result;
+  for (LaneStroke& stroke : strokes) {
+    std::ranges::sort(stroke.held);
+    result.push_back(draw_stroke(example, stroke.ground, std::move(stroke.xs), stroke.held));
+  }
+  return result;
 }
 
 }  // namespace libstyle

@@ -35,4 +35,11 @@ struct DrawnLine {
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
                     std::span<const ChainState> walk, std::span<const double> held);
 
+// For examples of several strokes: every lane with the pen down where it is down in the example. A
+// stroke fades into that of the next run if both are there at the jump, and begins or ends there
+// otherwise. Where the line is held, the stroke that is nearest passes exactly.
+std::vector<DrawnLine> draw_strokes(const Example& example, const Sweep& line,
+                                    const StyleGrid& grid, std::span<const ChainState> walk,
+                                    std::span<const double> held);
+
 }  // namespace libstyle

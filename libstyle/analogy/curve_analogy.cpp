@@ -9,6 +9,7 @@
 
 #include "libstyle/analogy/jump_costs.h"
 #include "libstyle/analogy/line_search.h"
+#include "libstyle/analogy/living_walk.h"
 #include "libstyle/analogy/plain_lines.h"
 #include "libstyle/analogy/shape_costs.h"
 #include "libstyle/analogy/style_grid.h"
@@ -23,6 +24,11 @@ namespace {
 // is left over is bent into place.
 constexpr double kHeldSpread = 0.15;
 
+// What it costs that no stroke is there: as a stroke four spreads off. One that goes on for so many
+// feature sizes is one.
+constexpr double kPenUp = 8;
+constexpr double kLeastStroke = 0.6;
+
 constexpr double kMeanRun = 8;  // feature sizes
 
 // The longest run: a share of the example, but not less than so many feature sizes.
@@ -31,6 +37,10 @@ constexpr double kLeastLongestRun = 2.5;
 constexpr double kRepeatFactor = 0.25;  // for each time that a place was used before on the line
 
 constexpr double kMostSteps = 1 << 20;
+
+// Feature sizes that change together from frame to frame. Given what is at both ends, pieces no
+// longer than a run hardly ever change: the walk would have to jump away and back.
+constexpr double kPiece = 20;
 
 // Places nearer to each other, or to an end, than this share of a line are held as one.
 constexpr double kHeldApart = 1e-6;
@@ -45,8 +55,9 @@ class HeldCosts {
     const double spread = kHeldSpread * example.reach();
     for (std::size_t j = 0; j < example.state_count(); ++j) {
       const double start = example.length_of(j);
-      starts_.push_back(cost(example.line(j).at(start).offset, spread));
-      ends_.push_back(cost(example.line(j).at(start + example.step()).offset, spread));
+      const double least = kLeastStroke * example.feature_along();
+      starts_.push_back(cost(example.line(j), start, least, spread));
+      ends_.push_back(cost(example.line(j), start + example.step(), -least, spread));
     }
   }
 
@@ -66,8 +77,16 @@ class HeldCosts {
   }
 
  private:
-  static double cost(Vector offset, double spread) {
-    return spread > 0 ? squared_norm(offset) / (2 * spread * spread) : 0;
+  // Of the stroke that is nearest, of those that go on as far as `inward`.
+  static double cost(const ExampleLine& line, double length, double inward, double spread) {
+    std::optional<double> least;
+    for (const Lane& lane : line.lanes()) {
+      if (!lane.is_down(length) || !lane.is_down(length + inward)) continue;
+      const double off = squared_norm(lane.at(length).offset);
+      const double own = spread > 0 ? off / (2 * spread * spread) : 0;
+      least = std::min(own, least.value_or(own));
+    }
+    return least.value_or(kPenUp);
   }
 
   std::vector<double> starts_, ends_;
@@ -115,7 +134,13 @@ class CurveAnalogy::Implementation {
         jumps_(make_jump_model(example_, parameters.mean_run.value_or(kMeanRun),
                                parameters.shape_weight > 0)),
         held_costs_(example_) {
-    if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
+    if (parameters.method != AnalogyMethod::kGreedy) return;
+    if (example_.has_strokes()) {
+      throw Error(
+          "the greedy search draws a line as one stroke, and the example has several for one; use "
+          "the chain, or draw one stroke for each unfiltered curve");
+    }
+    search_.emplace(example_, parameters);
   }
 
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
@@ -128,15 +153,30 @@ class CurveAnalogy::Implementation {
   StyledCurve too_long(const Polyline& curve) const;
   struct DrawnPart {
     DrawnLine line;
+    std::vector<DrawnLine> strokes;
     std::vector<ChainRun> runs;
     double scaled_length = 0;
+    std::vector<ChainState> walk = {};
+  };
+
+  // What is the same for all lines of a curve, and which of them it is.
+  struct LinePlace {
+    const CurveTask& task;
+    const RandomStream& random;
+    std::uint64_t part = 0;
+
+    std::uint64_t first() const { return part << 32; }  // random number
+    // The walk of the frame before; nothing if there is none to change.
+    std::span<const ChainState> before() const {
+      if (!task.before || task.coherence <= 0 || part >= task.before->size()) return {};
+      return (*task.before)[part];
+    }
   };
 
   DrawnPart draw_line(const Polyline& line, std::span<const double> held_lengths,
-                      const RandomStream& random, std::uint64_t part, std::uint64_t variant) const;
+                      const LinePlace& place) const;
   std::vector<ChainState> walk_randomly(const StyleGrid& grid, bool closed,
-                                        std::span<const double> held, const RandomStream& random,
-                                        std::uint64_t first) const;
+                                        std::span<const double> held, const LinePlace& place) const;
   std::vector<ChainState> walk_by_shape(const Sweep& line, const StyleGrid& grid) const;
   ChainState random_origin(const RandomStream& random, std::uint64_t first) const;
   ChainVariety variety() const;
@@ -191,7 +231,8 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
     DrawnPart drawn = draw_line(lines[part].line, lengths_on(lines[part], curve_length, task.held),
-                                random, part, task.variant);
+                                {task, random, part});
+    result.walks.push_back(std::move(drawn.walk));
     const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
     if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
     const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
@@ -203,6 +244,10 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
       const std::vector<double>& own = drawn.line.features[i];
       result.features[i].insert(result.features[i].end(), own.begin(),
                                 own.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    for (DrawnLine& stroke : drawn.strokes) {
+      for (double& length : stroke.lengths) length += lines[part].length_before;
+      if (example_.has_strokes()) result.strokes.push_back(std::move(stroke));
     }
     for (ChainRun& run : drawn.runs) {
       run.first += first_step;
@@ -218,28 +263,38 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
 }
 
 CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
-    const Polyline& line, std::span<const double> held_lengths, const RandomStream& random,
-    std::uint64_t part, std::uint64_t variant) const {
+    const Polyline& line, std::span<const double> held_lengths, const LinePlace& place) const {
   const StyleGrid grid(line, example_, parameters_);
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     StyledCurve plain = unchanged(line);
-    return {{std::move(plain.curve), std::move(plain.lengths), std::move(plain.features)}, {}, 0};
+    DrawnLine same{std::move(plain.curve), std::move(plain.lengths), std::move(plain.features)};
+    return {same, {same}, {}, 0};
   }
   std::vector<double> held;
   if (parameters_.keep_ends) held = held_coordinates(grid, !line.closed, held_lengths);
   if (search_) {
-    for (double& place : held) place = grid.length_at(place);
+    for (double& x : held) x = grid.length_at(x);
     const double scale = grid.line_scale();
-    LineSearch::Result drawn = search_->draw(line, scale, held, random.bits(part) >> 16, variant);
-    return {std::move(drawn.line), std::move(drawn.runs), scale * grid.length()};
+    LineSearch::Result drawn =
+        search_->draw(line, scale, held, place.random.bits(place.part) >> 16, place.task.variant);
+    return {std::move(drawn.line), {}, std::move(drawn.runs), scale * grid.length()};
   }
   const double blur = grid.line_scale() * example_.feature_along();
   const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
-  const std::vector<ChainState> walk =
-      parameters_.shape_weight > 0 ? walk_by_shape(sweep, grid)
-                                   : walk_randomly(grid, line.closed, held, random, part << 32);
-  return {draw_walk(example_, sweep, grid, walk, held), find_runs(example_, walk),
-          grid.mean_scale() * grid.length()};
+  std::vector<ChainState> walk = parameters_.shape_weight > 0
+                                     ? walk_by_shape(sweep, grid)
+                                     : walk_randomly(grid, line.closed, held, place);
+  DrawnPart result{{}, {}, find_runs(example_, walk), grid.mean_scale() * grid.length()};
+  result.walk = std::move(walk);
+  if (!example_.has_strokes()) {
+    result.line = draw_walk(example_, sweep, grid, result.walk, held);
+    return result;
+  }
+  result.strokes = draw_strokes(example_, sweep, grid, result.walk, held);
+  StyledCurve plain = unchanged(line);
+  result.line = {std::move(plain.curve), std::move(plain.lengths), std::move(plain.features)};
+  if (result.strokes.empty()) result.strokes = {result.line};
+  return result;
 }
 
 // A jump lands most likely where closing the curve is easiest.
@@ -256,18 +311,24 @@ ChainState CurveAnalogy::Implementation::random_origin(const RandomStream& rando
 std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const StyleGrid& grid,
                                                                     bool closed,
                                                                     std::span<const double> held,
-                                                                    const RandomStream& random,
-                                                                    std::uint64_t first) const {
+                                                                    const LinePlace& place) const {
   ChainTask task;
   task.steps = grid.steps();
-  task.costs = [&](std::size_t step, std::span<double> costs) {
-    return held_costs_.add(step, task.steps, held, costs);
+  task.costs = [&, steps = task.steps](std::size_t step, std::span<double> costs) {
+    return held_costs_.add(step, steps, held, costs);
   };
-  if (closed) {
-    task.origin = random_origin(random, first);
-    task.returns = true;
+  const std::span<const ChainState> before = place.before();
+  if (before.size() == task.steps) {
+    const double piece = kPiece * example_.feature_along() / example_.step();
+    const WalkChange change{1 - place.task.coherence, static_cast<std::size_t>(piece) + 1, closed,
+                            variety()};
+    return changed_walk(jumps_.chain, task, before, change, place.random, place.first());
   }
-  return sample_chain(jumps_.chain, task, random, first, variety());
+  if (closed) {
+    task.origin = random_origin(place.random, place.first());
+    task.next = task.origin;
+  }
+  return sample_chain(jumps_.chain, task, place.random, place.first(), variety());
 }
 
 ChainVariety CurveAnalogy::Implementation::variety() const {
@@ -291,7 +352,7 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_by_shape(const Sweep&
   task.steps = 2 * grid.steps();
   task.origin = best_chain(jumps_.chain, task)[grid.steps()];
   task.steps = grid.steps();
-  task.returns = true;
+  task.next = task.origin;
   return best_chain(jumps_.chain, task);
 }
 

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -151,6 +154,21 @@ SmoothCurve kept(const Subpath& old, const FlattenedSubpath& flat) {
   return result;
 }
 
+// The curve, or the strokes that it is drawn as.
+std::vector<SmoothCurve> smooth_strokes(const StyledCurve& drawn, double length,
+                                        const FitTolerances& tolerances) {
+  if (drawn.strokes.empty()) return {smooth_curve(drawn, length, tolerances)};
+  std::vector<SmoothCurve> result;
+  for (const DrawnLine& stroke : drawn.strokes) {
+    StyledCurve single;
+    single.curve = stroke.curve;
+    single.lengths = stroke.lengths;
+    single.features = stroke.features;
+    result.push_back(smooth_curve(single, length, tolerances));
+  }
+  return result;
+}
+
 // A path as lines, and where other lines end on them.
 struct FlatPath {
   std::vector<FlattenedSubpath> subpaths;
@@ -192,8 +210,10 @@ void find_meetings(std::span<FlatPath> paths) {
   for (std::vector<double>* lengths : held) std::ranges::sort(*lengths);
 }
 
+// `task` is that of the first subpath but for what is held. `walks`, one for each subpath, may be
+// null.
 PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
-                      std::uint64_t place, std::uint64_t variant) {
+                      CurveTask task, std::vector<LineWalks>* walks) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
@@ -206,22 +226,27 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   bool any_drawn = false;
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
-    const StyledCurve drawn =
-        style.draw(flats[i].polyline, {(place << 24) + i, flat.held[i], variant});
+    task.held = flat.held[i];
+    if (walks) task.before = &(*walks)[i];
+    StyledCurve drawn = style.draw(flats[i].polyline, task);
+    if (walks) (*walks)[i] = std::move(drawn.walks);
+    ++task.place;
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const FitTolerances tolerances =
         fit_tolerances(style.example(), std::max(drawn.mean_scale, 0.05));
     const bool stays = drawn.runs.empty();
-    const SmoothCurve fresh =
-        stays ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerances);
-    path.append(fresh.path);
-    append_values(along, record.along, flats[i], fresh.lengths);
-    if (stays) {
-      features.append_kept(along, drawn, fresh.lengths.size());
-    } else {
-      features.append(fresh);
-      any_drawn = true;
+    const std::vector<SmoothCurve> fresh =
+        stays ? std::vector{kept(old[i], flats[i])} : smooth_strokes(drawn, length, tolerances);
+    for (const SmoothCurve& stroke : fresh) {
+      path.append(stroke.path);
+      append_values(along, record.along, flats[i], stroke.lengths);
+      if (stays) {
+        features.append_kept(along, drawn, stroke.lengths.size());
+      } else {
+        features.append(stroke);
+      }
     }
+    any_drawn = any_drawn || !stays;
     measure.length += length;
     measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
@@ -239,7 +264,61 @@ struct StyledPath {
   PathRecord* record;
   std::size_t style;            // kNone: it stays as it is
   const CurveAnalogy* analogy;  // null: it stays as it is
+  // Strokes have no inside: the area keeps its shape, and its line becomes a record of its own.
+  std::optional<PathRecord> line = std::nullopt;
+
+  PathRecord& drawn() { return line ? *line : *record; }
 };
+
+bool is_painted(const std::optional<Paint>& paint) {
+  return paint && !std::holds_alternative<NoPaint>(*paint);
+}
+
+// Parts a record that is to be drawn as strokes. An area without a line stays as it is.
+void part_area_from_line(StyledPath& path) {
+  if (!path.analogy || !path.analogy->example().has_strokes()) return;
+  PathRecord& area = *path.record;
+  if (!is_painted(area.style.fill)) return;
+  if (!is_painted(area.style.stroke) && area.along.colors.empty()) {
+    path.analogy = nullptr;
+    return;
+  }
+  path.line = area;
+  path.line->style.fill = NoPaint{};
+  area.style.stroke = NoPaint{};
+  area.along = {};
+}
+
+// The lines of areas get ids of their own: those of the areas with numbers behind.
+void name_lines(const Document& document, std::span<StyledPath> paths) {
+  std::unordered_set<std::string_view> taken;
+  for (const Record& record : document.records) {
+    if (const RecordBase* base = base_of(record)) taken.insert(base->id);
+  }
+  for (StyledPath& path : paths) {
+    if (!path.line || path.line->id.empty()) continue;
+    const std::string area = path.line->id + '~';
+    int number = 2;
+    while (taken.contains(area + std::to_string(number))) ++number;
+    path.line->id = area + std::to_string(number);
+  }
+}
+
+// Puts the lines of areas in front of them, or behind, as they were painted.
+void insert_lines(Document& document, std::span<StyledPath> paths) {
+  name_lines(document, paths);
+  Records records;
+  auto path = paths.begin();
+  for (Record& record : document.records) {
+    std::optional<PathRecord> line;
+    if (std::holds_alternative<PathRecord>(record)) line = std::move((path++)->line);
+    const bool below = line && line->style.stroke_first;
+    if (below) records.emplace_back(std::move(*line));
+    records.push_back(std::move(record));
+    if (line && !below) records.emplace_back(std::move(*line));
+  }
+  document.records = std::move(records);
+}
 
 std::vector<StyledPath> styled_paths(Document& document, const StylePlan& plan) {
   std::vector<StyledPath> result;
@@ -303,21 +382,30 @@ void warn_if_small(std::span<const StyledPath> paths, std::span<const PathMeasur
 }  // namespace
 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
-  const std::vector<StyledPath> paths = styled_paths(document, plan);
+  std::vector<StyledPath> paths = styled_paths(document, plan);
   const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
   if (any == paths.end()) return;
   const std::vector<std::size_t> places = first_equals(paths);
   const std::vector<FlatPath> flat = flatten_paths(paths, *any->analogy);
+  for (StyledPath& path : paths) part_area_from_line(path);
+  if (options.walks) options.walks->resize(paths.size());
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(paths.size(), options.threads, [&](std::size_t i) {
-    const StyledPath& path = paths[i];
+    StyledPath& path = paths[i];
     const std::size_t place = places[i];
     if (path.analogy) {
       const bool alike = path.style == paths[place].style;
-      measures[i] =
-          draw_path(*path.record, flat[alike ? place : i], *path.analogy, place, options.variant);
+      const FlatPath& own = flat[alike ? place : i];
+      const CurveTask task{.place = place << 24,
+                           .held = {},
+                           .variant = options.variant,
+                           .before = nullptr,
+                           .coherence = options.coherence};
+      if (options.walks) (*options.walks)[i].resize(own.subpaths.size());
+      measures[i] = draw_path(path.drawn(), own, *path.analogy, task,
+                              options.walks ? &(*options.walks)[i] : nullptr);
     }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
@@ -327,6 +415,8 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
   for (std::size_t style = 0; style < plan.styles.size(); ++style) {
     warn_if_small(paths, measures, style, plan.styles[style].name, options.warn);
   }
+  const auto has_line = [](const StyledPath& path) { return path.line.has_value(); };
+  if (std::ranges::any_of(paths, has_line)) insert_lines(document, paths);
 }
 
 void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {

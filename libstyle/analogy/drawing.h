@@ -15,11 +15,18 @@
 
 namespace libstyle {
 
+// What one frame of a drawing hands to the next: the walks of every path and its subpaths.
+using DrawnWalks = std::vector<std::vector<LineWalks>>;
+
 struct DrawingOptions {
   int threads = 0;  // 0: one a core; does not change the result
   ProgressHandler progress;
   WarningHandler warn;
   std::uint64_t variant = 0;  // added to the seeds
+  // Frames: the walks of the frame before, none for the first, which are changed to those of this
+  // one. The document and the plan are the same as they were then.
+  DrawnWalks* walks = nullptr;
+  double coherence = 0;  // how much of the frame before stays, 0 .. 1
 };
 
 // What the parts of a drawing are drawn in.
@@ -46,6 +53,10 @@ struct StylePlan {
 //
 // Lines of different styles meet as well, and lines that stay with lines that do not. Which styles
 // other parts have does not change how a part is drawn.
+//
+// A style of several strokes makes each line a path of several subpaths. What is filled keeps its
+// shape then, and its line becomes a record of its own, in front of it or behind as it was painted;
+// what is filled and has no line stays as it is.
 //
 // Warns of curves that are too long for their style, and of each style when most of its lines had
 // to be drawn with it at less than half its size.

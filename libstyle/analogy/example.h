@@ -2,11 +2,13 @@
 // An example pair as the solver sees it: a line, and how far off that line the style draws.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "libstyle/analogy/lane.h"
 #include "libstyle/analogy/line_features.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/sweep.h"
@@ -17,51 +19,41 @@ namespace libstyle {
 
 // A and A'. same_parameter says that places with equal t belong together; otherwise which do is
 // found from the shapes. What the channels of the filtered curve are is said by `features`, the
-// same for all pairs of a style.
+// same for all pairs of a style. Where one unfiltered curve was drawn as several strokes, `others`
+// are the further ones, in any order; places are then found from where they lie.
 struct ExamplePair {
   std::optional<SampledCurve> unfiltered;  // left out: the filtered curve, blurred
   SampledCurve filtered;
   bool same_parameter = false;
   std::vector<LineFeature> features = {};
+  std::vector<SampledCurve> others = {};
 };
 
 // One pair. The filtered curve is a function of the length along the unfiltered one, and so are its
-// features.
+// features: a lane. Strokes that overlap are in several lanes.
 class ExampleLine {
  public:
-  struct Sample {
-    double length = 0;  // along the unfiltered curve, never falling
-    Vector offset;      // from the unfiltered curve, in its frame
-    Vector tangent;     // unit vector along the filtered curve, in the frame
-  };
+  using Sample = Lane::Sample;
 
-  // `features` has a row for each feature, with one value for each sample.
-  ExampleLine(Sweep sweep, std::vector<Sample> samples,
-              std::vector<std::vector<double>> features = {});
+  // At least one lane.
+  ExampleLine(Sweep sweep, std::vector<Lane> lanes);
 
   double length() const { return sweep_.length(); }
   const Sweep& sweep() const { return sweep_; }
-  std::span<const Sample> samples() const { return samples_; }
-  // Interpolated; the ends hold beyond themselves.
-  Sample at(double length) const;
-  std::vector<double> features_at(double length) const;
-  // The values of a feature at the samples.
-  std::span<const double> feature(std::size_t index) const { return features_[index]; }
-  // The place of the filtered curve.
+  const Lane& lane(std::size_t index) const { return lanes_[index]; }
+  std::span<const Lane> lanes() const { return lanes_; }
+
+  // Of the first lane, which is the filtered curve where it is a single one.
+  std::span<const Sample> samples() const { return lanes_.front().samples(); }
+  Sample at(double length) const { return lanes_.front().at(length); }
   Point filtered_at(double length) const;
 
+  // Lanes on which the pen is never down, until there are so many.
+  void add_empty_lanes(std::size_t count) { lanes_.resize(std::max(count, lanes_.size())); }
+
  private:
-  // Two samples, the same beyond the ends, and how far it is from the first to the second.
-  struct Between {
-    std::size_t before = 0, after = 0;
-    double share = 0;
-  };
-
-  Between between(double length) const;
-
   Sweep sweep_;
-  std::vector<Sample> samples_;
-  std::vector<std::vector<double>> features_;
+  std::vector<Lane> lanes_;
 };
 
 // The values of a feature in all examples of a style.
@@ -85,6 +77,10 @@ class Example {
   double reach() const { return reach_; }
 
   std::span<const ExampleLine> lines() const { return lines_; }
+  // How many lanes each of them has.
+  std::size_t lane_count() const { return lines_.front().lanes().size(); }
+  // Whether lines are drawn as several strokes, or as broken ones.
+  bool has_strokes() const { return has_strokes_; }
 
   std::span<const LineFeature> features() const { return features_; }
   const FeatureStatistics& statistics(std::size_t feature) const { return statistics_[feature]; }
@@ -113,6 +109,7 @@ class Example {
   double feature_along_ = 0;
   double reach_ = 0;
   double step_ = 0;
+  bool has_strokes_ = false;
   std::vector<ExampleLine> lines_;
   std::vector<LineFeature> features_;
   std::vector<FeatureStatistics> statistics_;

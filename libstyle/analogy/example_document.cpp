@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
+#include "libstyle/analogy/strokes.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/flatten.h"
@@ -113,6 +115,40 @@ ExamplePair make_pair(const ExampleCurve& unfiltered, const ExampleCurve& filter
   return pair;
 }
 
+std::vector<Polyline> polylines_of(std::span<const ExampleCurve> curves) {
+  std::vector<Polyline> result;
+  for (const ExampleCurve& curve : curves) result.push_back(curve.polyline);
+  return result;
+}
+
+// Every filtered curve is a stroke of the unfiltered one that it lies along.
+std::vector<ExamplePair> pairs_of_strokes(std::span<const ExampleCurve> before,
+                                          std::span<const ExampleCurve> after) {
+  const std::vector<LineFeature> features = common_features(after);
+  const std::vector<std::size_t> lines =
+      lines_of_strokes(polylines_of(before), polylines_of(after));
+  std::vector<ExamplePair> pairs;
+  for (std::size_t line = 0; line < before.size(); ++line) {
+    std::optional<ExamplePair> pair;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (lines[i] != line) continue;
+      ExamplePair own = make_pair(before[line], after[i]);
+      add_features(own, after[i], features);
+      if (pair) {
+        pair->others.push_back(std::move(own.filtered));
+      } else {
+        pair = std::move(own);
+      }
+    }
+    if (!pair) {
+      throw Error("no stroke of the filtered example lies along the unfiltered curve " +
+                  std::to_string(line + 1) + "; draw each of them");
+    }
+    pairs.push_back(std::move(*pair));
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered) {
@@ -129,6 +165,7 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
     return pairs;
   }
   const std::vector<ExampleCurve> before = curves_of(*unfiltered);
+  if (!before.empty() && before.size() < after.size()) return pairs_of_strokes(before, after);
   if (before.size() != after.size()) {
     throw Error("the unfiltered example has " + counted(before.size()) + ", the filtered one " +
                 counted(after.size()) + "; draw one for one, in the same order");

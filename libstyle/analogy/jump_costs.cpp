@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kReach = 8;  // taps to each side
 constexpr std::size_t kTaps = 2 * kReach + 1;
-constexpr std::size_t kComponents = 4;  // offset and tangent, before the features of the line
+constexpr std::size_t kComponents = 4;  // offset and tangent of a lane, before its features
 constexpr double kTapsPerFeature = 4;
 constexpr double kFeatureWeight = 0.1;  // a squared spread, in squared feature sizes
 
@@ -35,7 +35,7 @@ struct JumpCosts::Window {
 
 JumpCosts::JumpCosts(const Example& example)
     : example_(example),
-      components_(kComponents + example.features().size()),
+      components_(example.lane_count() * (kComponents + example.features().size())),
       windows_(kTaps * components_ * example.state_count()),
       present_(kTaps * example.state_count()) {
   weigh_features();
@@ -68,20 +68,31 @@ void JumpCosts::weigh_features() {
 JumpCosts::Window JumpCosts::window_at(const ExampleLine& line, double length) const {
   Window window;
   const double spacing = example_.feature_along() / kTapsPerFeature;
-  const double size = example_.feature_size();
   const double slack = 1e-9 * line.length();
   for (std::size_t tap = 0; tap < kTaps; ++tap) {
     const double place = length + (static_cast<double>(tap) - kReach) * spacing;
     window.present[tap] = place >= -slack && place <= line.length() + slack;
-    const ExampleLine::Sample sample = line.at(place);
-    window.components[tap] = {sample.offset.x, sample.offset.y, size * sample.tangent.x,
-                              size * sample.tangent.y};
-    const std::vector<double> features = line.features_at(place);
-    for (std::size_t i = 0; i < features.size(); ++i) {
-      window.components[tap].push_back(feature_weights_[i] * features[i]);
-    }
+    for (const Lane& lane : line.lanes()) append_components(window.components[tap], lane, place);
   }
   return window;
+}
+
+// A lane with the pen up is nothing: against one with the pen down it counts the offset there and,
+// as the tangent, a squared feature size.
+void JumpCosts::append_components(std::vector<double>& components, const Lane& lane,
+                                  double length) const {
+  const std::size_t end = components.size() + components_ / example_.lane_count();
+  if (lane.is_down(length)) {
+    const Lane::Sample sample = lane.at(length);
+    const double size = example_.feature_size();
+    components.insert(components.end(), {sample.offset.x, sample.offset.y, size * sample.tangent.x,
+                                         size * sample.tangent.y});
+    const std::vector<double> features = lane.features_at(length);
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      components.push_back(feature_weights_[i] * (features[i] - example_.statistics(i).mean));
+    }
+  }
+  components.resize(end);
 }
 
 void JumpCosts::compare(const Window& window, std::span<double> costs) const {

@@ -6,6 +6,8 @@
 // tangent, both in the frame. Tangents count with the square of the feature size, which brings both
 // to px^2. At the ends of a line the samples that exist decide. Features of the line, such as its
 // width, count a little too, in units of their spread over the example, so that they do not leap.
+// Where lines are drawn as several strokes, all lanes are compared, and the pen up in one place and
+// down in the other counts.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +33,7 @@ class JumpCosts {
   struct Window;
 
   void weigh_features();
+  void append_components(std::vector<double>& components, const Lane& lane, double length) const;
   Window window_at(const ExampleLine& line, double length) const;
   void compare(const Window& window, std::span<double> costs) const;
 

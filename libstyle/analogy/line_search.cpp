@@ -102,7 +102,7 @@ std::vector<std::vector<double>> LineSearch::copied_features(const SearchedCurve
   std::vector<std::vector<double>> result(features.size());
   for (const SearchedCurve::Source& source : drawn.sources) {
     const ExampleLine& line = example_.lines()[source.example];
-    const std::vector<double> values = line.features_at(source.t * line.length());
+    const std::vector<double> values = line.lane(0).features_at(source.t * line.length());
     for (std::size_t i = 0; i < features.size(); ++i) {
       const bool is_length = features[i].kind == FeatureKind::kLength;
       result[i].push_back(is_length ? scale * values[i] : values[i]);

@@ -48,6 +48,44 @@ command_case(curve-analogy/a-brush-from-nothing
   RUN "curve-analogy --filtered styles/brush.curves --synthesize 900 | tail -n 1 | grep -o '\"along\":{\"width\":'"
   SAME "echo '\"along\":{\"width\":'")
 
+# Strokes and frames.
+command_case(curve-analogy/a-broken-line-is-a-path-of-many-subpaths
+  RUN [[printf '{"curves":1}\n{"type":"path","id":"a","d":"M0 0 L600 0"}\n' | curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg | tail -n 1 | grep -c '"id":"a","d":"\(M[^M]*\)\{20,60\}"}']]
+  SAME "echo 1")
+command_case(curve-analogy/fewer-filtered-curves-than-unfiltered
+  RUN "curve-analogy --unfiltered styles/dashes.svg --filtered styles/dashes-plain.svg drawings/plan.svg" EXIT 1
+  STDERR "~curve-analogy: styles/dashes-plain.svg: the unfiltered example has .* curves, the filtered one 1 curve; .*")
+command_case(curve-analogy/greedy-does-not-draw-strokes
+  RUN "curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg --method greedy drawings/plan.svg" EXIT 1
+  STDERR "~curve-analogy: .*the greedy search draws a line as one stroke.*")
+command_case(curve-analogy/the-first-frame-is-the-drawing
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 1 drawings/plan.svg | tail -n +2"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg | tail -n +2")
+command_case(curve-analogy/coherent-frames-are-equal
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 1 drawings/plan.svg | grep -v '\"curves\":1' | sort | uniq"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg | grep -v '\"curves\":1' | sort | uniq")
+command_case(curve-analogy/incoherent-frames-are-variants
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 0 drawings/plan.svg | grep -v '\"curves\":1'"
+  SAME "curve-analogy --filtered styles/wavy.svg --variants 3 drawings/plan.svg | grep -v '\"curves\":1'")
+command_case(curve-analogy/frames-on-one-thread-or-two
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --threads 1 drawings/plan.svg"
+  SAME "curve-analogy --filtered styles/wavy.svg --frames 3 --threads 2 drawings/plan.svg")
+command_case(curve-analogy/frames-are-numbered
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 drawings/plan.svg | grep -o '\"name\":\"[^\"]*\"'"
+  SAME "printf '\"name\":\"plan-1\"\n\"name\":\"plan-2\"\n'")
+command_case(curve-analogy/frames-and-variants
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --variants 2 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --frames does not go with --variants.*")
+command_case(curve-analogy/frames-of-shapes
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --shape-weight 2 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --frames is for lines that are drawn at random.*")
+command_case(curve-analogy/coherence-without-frames
+  RUN "curve-analogy --filtered styles/wavy.svg --coherence 0.5 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --coherence is for --frames.*")
+command_case(curve-analogy/coherence-out-of-range
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --coherence 1.5 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --coherence is 0 to 1.*")
+
 # Styles for parts. The sea of the harbour is four lines of class water in a layer "Sea".
 command_case(curve-analogy/a-class-a-layer-and-a-label-may-name-the-same
   RUN [[curve-analogy --style Sea=styles/wavy.svg drawings/harbour.svg | tail -n +2 > $OUT/all

@@ -5,6 +5,7 @@
 
 #include "libstyle/curves/writer.h"
 #include "libstyle/geometry/flatten.h"
+#include "libstyle/geometry/path_segments.h"
 #include "tests/support/matchers.h"
 #include "tests/unit/analogy/wavy_drawing.h"
 
@@ -269,6 +270,80 @@ TEST(DrawAgain, GivesLinesTheValuesOfTheExample) {
   EXPECT_EQ(path_at(document, 1).along.find("width")->size(),
             path_at(document, 1).path.vertex_count());
   EXPECT_TRUE(path_at(document, 2).along.empty());
+}
+
+// Two strokes along a line, with a gap.
+const CurveAnalogy& dashed_style() {
+  static const CurveAnalogy style = [] {
+    ExamplePair pair;
+    pair.unfiltered = with_length_parameter({{{0, 0}, {200, 0}}, false});
+    pair.filtered = with_length_parameter({{{0, 0}, {6, 0}}, false});
+    for (double x = 10; x < 195; x += 10) {
+      pair.others.push_back(with_length_parameter({{{x, 0}, {x + 6, 0}}, false}));
+    }
+    return CurveAnalogy({&pair, 1}, {});
+  }();
+  return style;
+}
+
+TEST(DrawAgain, MakesSubpathsOfStrokes) {
+  Document document;
+  PathRecord line = path_record("line", "M0 0 L300 0");
+  line.along.channels = {{"tilt", {0, 300}}};
+  document.records.push_back(line);
+  draw_again(document, dashed_style(), {.threads = 1, .progress = {}, .warn = {}});
+  const PathRecord& after = path_at(document, 0);
+  EXPECT_EQ(after.id, "line");
+  EXPECT_NEAR(static_cast<double>(subpaths(after.path).size()), 30, 4);
+  const std::vector<Point> vertices = after.path.vertices();
+  const std::vector<double>& tilts = *after.along.find("tilt");
+  ASSERT_EQ(tilts.size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) EXPECT_NEAR(tilts[i], vertices[i].x, 1e-3);
+}
+
+TEST(DrawAgain, AreasKeepTheirShapeBelowStrokes) {
+  Document document;
+  PathRecord both = path_record("both", "M0 0 L100 0 L100 100 L0 100 Z"), area = both;
+  both.style.fill = Color{255, 0, 0};
+  both.style.stroke = Color{0, 0, 0};
+  area.id = "area";
+  area.style.fill = Color{255, 0, 0};
+  document.records = {both, area, path_record("both~2", "M0 0 L300 0")};
+  const Document before = document;
+  draw_again(document, dashed_style(), {.threads = 1, .progress = {}, .warn = {}});
+  ASSERT_EQ(document.records.size(), 4u);
+  EXPECT_EQ(path_at(document, 0).path, both.path);
+  EXPECT_EQ(path_at(document, 0).style.stroke, Paint(NoPaint{}));
+  EXPECT_EQ(path_at(document, 1).id, "both~3");
+  EXPECT_EQ(path_at(document, 1).style.fill, Paint(NoPaint{}));
+  EXPECT_EQ(path_at(document, 1).style.stroke, both.style.stroke);
+  EXPECT_GT(subpaths(path_at(document, 1).path).size(), 20u);
+  EXPECT_EQ(path_at(document, 2), area);
+  EXPECT_GT(subpaths(path_at(document, 3).path).size(), 20u);
+}
+
+TEST(DrawAgain, FramesAreTheSameOnAnyNumberOfThreads) {
+  const auto frames = [](int threads) {
+    Document original;
+    for (int i = 0; i < 6; ++i) {
+      original.records.push_back(path_record("", "M0 0 L300 0 M0 40 C100 90 200 -10 300 40"));
+    }
+    DrawnWalks walks;
+    std::string text;
+    for (std::uint64_t frame = 0; frame < 3; ++frame) {
+      Document document = original;
+      draw_again(document, wavy_style(),
+                 {.threads = threads,
+                  .progress = {},
+                  .warn = {},
+                  .variant = frame,
+                  .walks = &walks,
+                  .coherence = 0.5});
+      text += text_of(document);
+    }
+    return text;
+  };
+  EXPECT_EQ(frames(1), frames(2));
 }
 
 TEST(DrawAgain, CarriesValuesAcrossTheSeamOfAnOutline) {
