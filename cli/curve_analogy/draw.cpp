@@ -2,9 +2,15 @@
 #include "cli/curve_analogy/draw.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/curve_analogy/examples.h"
+#include "cli/curve_analogy/explain.h"
+#include "cli/curve_analogy/measures_report.h"
+#include "converters/common/batch.h"
 #include "converters/common/files.h"
 #include "converters/svg/document_input.h"
 #include "libstyle/analogy/drawing.h"
@@ -13,42 +19,99 @@
 namespace libstyle {
 namespace {
 
-// Warnings of the library know a line; the file is known here.
-WarningHandler warnings_from(const std::string& input, Session& session) {
-  return [&session, file = display_name(input)](const Warning& warning) {
-    session.warn({{file, warning.place.line}, warning.id, warning.message});
+// A document on its way through the program.
+struct Drawing {
+  TakenDocument taken;
+  std::vector<std::string> explanations;  // of its styles
+  TextSink curves;                        // of all variants, or frames
+  std::vector<JsonObject> reports;        // of each
+};
+
+std::vector<std::string> explain(const StylePlan& plan) {
+  std::vector<std::string> result;
+  for (const StylePlan::Style& style : plan.styles) {
+    if (!style.analogy) continue;
+    result.push_back(explanation(style.name, style.analogy->summary(),
+                                 {.has_fitting_scale = style.has_fitting_scale}));
+  }
+  return result;
+}
+
+std::vector<JsonObject> style_reports(const StylePlan& plan,
+                                      const std::vector<StyleMeasures>& measures,
+                                      std::uint64_t variant) {
+  std::vector<JsonObject> result;
+  for (std::size_t i = 0; i < plan.styles.size(); ++i) {
+    const StylePlan::Style& style = plan.styles[i];
+    if (!style.analogy) continue;
+    result.push_back(style_report(style.name, style.analogy->summary(), measures[i], variant));
+  }
+  return result;
+}
+
+void draw_variants(Drawing& drawing, StyleSet& styles, const Settings& settings,
+                   const Session& session, const WarningHandler& warn) {
+  const std::string file = display_name(drawing.taken.input);
+  const Document document = to_document(std::move(drawing.taken), warn);
+  // Warnings of the library know a line; the file is known here.
+  const WarningHandler warn_in_file = [&](Warning warning) {
+    warning.place.file = file;
+    warn(warning);
   };
+  const StylePlan plan = styles.plan(document, warn_in_file);
+  if (settings.explain) drawing.explanations = explain(plan);
+  std::vector<StyleMeasures> measures;
+  DrawnWalks walks;
+  DrawingOptions options{.threads = settings.threads,
+                         .progress = session.progress_handler(),
+                         .warn = warn_in_file,
+                         .walks = settings.frames ? &walks : nullptr,
+                         .coherence = settings.coherence_of_frames(),
+                         .measures = session.has_report() ? &measures : nullptr};
+  for (int i = 0; i < settings.document_count(); ++i) {
+    Document variant = document;
+    if (settings.is_numbered()) variant.header.name = variant_name(document.header.name, i + 1);
+    variant.header.history.push_back(session.history());
+    options.variant = static_cast<std::uint64_t>(i);
+    draw_again(variant, plan, options);
+    write_document(drawing.curves, variant);
+    options.warn = {};  // the first has said it
+    if (!session.has_report()) continue;
+    drawing.reports.push_back(
+        to_json({file, document.header.line, variant.header.name, options.variant,
+                 style_reports(plan, measures, options.variant)}));
+  }
 }
 
 }  // namespace
 
 void draw(const Settings& settings, Session& session) {
-  const int count = settings.document_count();
-  const double coherence = settings.coherence_of_frames();
+  // Checked before anything is read.
+  settings.document_count();
+  settings.coherence_of_frames();
   StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);
-  for (const std::string& name : settings.inputs) {
-    DocumentInput input(name, session.warning_handler());
-    Document document;
-    while (input.read(document)) {
-      DrawingOptions options{settings.threads, session.progress_handler(),
-                             warnings_from(name, session)};
-      const StylePlan plan = styles.plan(document, options.warn);
-      DrawnWalks walks;
-      options.coherence = coherence;
-      if (settings.frames) options.walks = &walks;
-      for (int i = 0; i < count; ++i) {
-        Document variant = document;
-        if (settings.is_numbered()) variant.header.name = variant_name(document.header.name, i + 1);
-        variant.header.history.push_back(session.history());
-        options.variant = static_cast<std::uint64_t>(i);
-        draw_again(variant, plan, options);
-        write_document(output, variant);
-        options.warn = {};  // the first has said it
-      }
-    }
-  }
-  output.commit();
+  DocumentInputs inputs(settings.inputs);
+  std::set<std::string> explained;
+  bool is_empty = true;
+  // One document at a time: all threads are at its lines.
+  run_batch<Drawing>({.keep_going = settings.keep_going, .threads = 1}, session,
+                     {.read = [&](Drawing& drawing) { return inputs.take(drawing.taken); },
+                      .work =
+                          [&](Drawing& drawing, const WarningHandler& warn) {
+                            draw_variants(drawing, styles, settings, session, warn);
+                          },
+                      .finish =
+                          [&](Drawing& drawing) {
+                            for (const std::string& text : drawing.explanations) {
+                              if (explained.insert(text).second) session.message(text);
+                            }
+                            output.write(drawing.curves.text);
+                            is_empty = false;
+                            for (const JsonObject& report : drawing.reports)
+                              session.note(kDrawings, report);
+                          }});
+  if (!is_empty) output.commit();
 }
 
 }  // namespace libstyle

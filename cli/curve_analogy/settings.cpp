@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/curve_analogy/settings.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "converters/common/command.h"
 #include "libstyle/base/error.h"
 #include "libstyle/base/number.h"
 
@@ -29,7 +29,8 @@ SearchParameters search_parameters(const Settings& settings) {
   const auto set = [](double& member, const std::optional<double>& value) {
     if (value) member = *value;
   };
-  set(search.offset_weight, settings.offset_weight);
+  set(settings.synthesize ? search.synthesis_offset_weight : search.offset_weight,
+      settings.offset_weight);
   set(search.tangent_weight, settings.tangent_weight);
   set(search.coarse_weight, settings.coarse_weight);
   set(search.coherence, settings.coherence);
@@ -45,11 +46,72 @@ SearchParameters search_parameters(const Settings& settings) {
 
 }  // namespace
 
+std::vector<Option> style_options(Settings& settings) {
+  CurveAnalogyParameters& p = settings.parameters;
+  return {
+      {"--seed", "N", "another number draws other lines in the same style", &p.seed},
+      {"--scale", "FACTOR", "the size of the style: a factor, or auto to suit the drawing",
+       &settings.scale},
+      {"--invariance",
+       "KIND",
+       "whether the style turns with the lines: rotate or translate",
+       &settings.invariance,
+       HistoryUse::kRecorded,
+       {"rotate", "translate"}},
+      {"--shape-weight", "W", "how much the shape of a line decides what is drawn there",
+       &p.shape_weight},
+      {"--feature-size", "PX", "half the size of a feature of the example", &p.feature_size},
+      {"--samples", "N", "how finely the example is cut", &p.samples},
+      {"--mean-run", "N", "feature sizes copied from the example in one go", &p.mean_run},
+      {"--smoothing", "N", "feature sizes over which lines lose their own detail", &p.smoothing},
+      {"--smallest-scale", "FACTOR", "how small the style may get where there is no room",
+       &p.smallest_scale},
+      {"--corner-angle", "DEGREES", "lines that turn more sharply have a corner there",
+       &p.corner_angle},
+      {"--loose-ends", "", "do not hold the ends of lines in their places", &settings.loose_ends},
+      {"--method",
+       "KIND",
+       "chain, or greedy: the paper's search, repaired",
+       &settings.method,
+       HistoryUse::kRecorded,
+       {"chain", "greedy"}},
+      {"--faithful", "", "greedy as the paper prints it, but for its misprints",
+       &settings.faithful},
+      {"--levels", "N", "of the pyramid (greedy)", &settings.levels},
+      {"--passes", "N", "refinements of each level (greedy)", &settings.passes},
+      {"--neighborhood", "N", "samples of a neighborhood, odd (greedy)",
+       &settings.neighborhood_samples},
+      {"--w-offset", "W", "weight of the offset from the line (greedy)", &settings.offset_weight},
+      {"--w-delta", "W", "weight of tangents (greedy)", &settings.tangent_weight},
+      {"--w-coarse", "W", "weight of the level above (greedy)", &settings.coarse_weight},
+      {"--kappa", "K", "what it costs to leave a copied piece (greedy)", &settings.coherence},
+      {"--epsilon", "E", "how much worse than the best may be chosen (greedy)", &settings.epsilon},
+      {"--delta-t", "N", "spacings in a step of the first pass (greedy)", &settings.step}};
+}
+
+bool Settings::is_given(std::string_view option) const {
+  return std::ranges::find(given, option) != given.end();
+}
+
+void refuse_idle_symbols(const Settings& settings, bool any_greedy) {
+  if (settings.is_given("--faithful") && settings.is_given("--method") &&
+      settings.method == "chain") {
+    throw UsageError("--faithful is greedy; leave out --method chain");
+  }
+  if (any_greedy) return;
+  for (const char* symbol : {"--levels", "--passes", "--neighborhood", "--w-offset", "--w-delta",
+                             "--w-coarse", "--kappa", "--epsilon", "--delta-t"}) {
+    if (settings.is_given(symbol)) {
+      throw UsageError(std::string(symbol) + " is for --method greedy; give that too");
+    }
+  }
+}
+
 int Settings::document_count() const {
   if (variants && frames) throw UsageError("--frames does not go with --variants");
   const char* option = frames ? "--frames" : "--variants";
-  const std::optional<double>& given = frames ? frames : variants;
-  const int count = given ? whole_number(*given, option) : 1;
+  const std::optional<double>& given_count = frames ? frames : variants;
+  const int count = given_count ? whole_number(*given_count, option) : 1;
   if (count < 1) throw UsageError(std::string(option) + " is 1 or more");
   return count;
 }

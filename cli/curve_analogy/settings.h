@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "converters/common/command.h"
 #include "libstyle/analogy/parameters.h"
 
 namespace libstyle {
@@ -17,6 +18,8 @@ struct Settings {
   std::string unfiltered;
   std::string filtered;
   std::vector<std::string> styles;
+  std::string style_file;
+  std::string save_style;
   std::optional<double> variants, frames, frame_coherence;
   std::string scale = "1";
   std::optional<double> synthesize;
@@ -27,9 +30,13 @@ struct Settings {
   // Symbols of the paper; unset: as the method has them.
   std::optional<double> levels, passes, neighborhood_samples, offset_weight, tangent_weight,
       coarse_weight, coherence, epsilon, step;
+  bool explain = false;
+  bool keep_going = false;
   int threads = 0;
   CurveAnalogyParameters parameters;
+  std::vector<std::string> given;  // the long names of the options that were given
 
+  bool is_given(std::string_view option) const;
   bool is_greedy() const { return method == "greedy" || faithful; }
   // How many documents are made of each, be they variants or frames; 1 if it is not said.
   int document_count() const;
@@ -37,6 +44,12 @@ struct Settings {
   // How much of a frame stays in the next.
   double coherence_of_frames() const;
 };
+
+// The options that make a style what it is, and that a style file keeps.
+std::vector<Option> style_options(Settings& settings);
+
+// Throws UsageError for a symbol of the paper that was given and that nothing uses.
+void refuse_idle_symbols(const Settings& settings, bool any_greedy);
 
 // A factor; unset for "auto": as the drawing needs it. Throws UsageError.
 std::optional<double> parse_scale(std::string_view text);

@@ -105,7 +105,7 @@ std::string history_of(const std::string& program, const std::vector<Option>& op
   std::string line = program;
   for (std::size_t i = 0; i < options.size(); ++i) {
     if (options[i].history == HistoryUse::kLeftOut || parsed[i]->count() == 0) continue;
-    const std::string name = options[i].names.substr(0, options[i].names.find(','));
+    const std::string name = long_name(options[i]);
     if (options[i].value_name.empty()) {
       line += ' ' + name;
       continue;
@@ -176,6 +176,10 @@ int run_with_report(const Command& command, const std::string& history,
 
 }  // namespace
 
+std::string long_name(const Option& option) {
+  return option.names.substr(0, option.names.find(','));
+}
+
 Option keep_going_option(bool& keep_going) {
   return {"--keep-going", "", "report a document that is bad, and do the others", &keep_going,
           HistoryUse::kLeftOut};
@@ -200,6 +204,9 @@ int run_command(int argc, const char* const* argv, const Command& command) {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return report_wrong_use(command.name, error.what());
+  }
+  for (std::size_t i = 0; command.given != nullptr && i < options.size(); ++i) {
+    if (parsed[i]->count() > 0) command.given->push_back(long_name(options[i]));
   }
   if (command.inputs != nullptr && command.inputs->empty()) command.inputs->push_back("-");
   Session session(command.name, history_of(command.name, options, parsed), common.quiet);

@@ -51,6 +51,9 @@ struct Option {
   std::vector<std::string> choices = {};  // the only values allowed, if any
 };
 
+// "--output" of "--output,-o".
+std::string long_name(const Option& option);
+
 // Options that mean the same in every program that has them.
 Option keep_going_option(bool& keep_going);
 Option threads_option(int& threads);
@@ -64,6 +67,8 @@ struct Command {
   std::vector<std::string>* inputs = nullptr;
   std::function<void(Session&)> run;  // throws Error or UsageError
   bool has_report = false;            // whether there is --report
+  // Filled with the long names of the options that were given, if there.
+  std::vector<std::string>* given = nullptr;
 };
 
 // Parses, runs, reports. Returns the exit code: 0 done, 1 bad data or a failed run, 2 wrong use.

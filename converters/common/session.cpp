@@ -53,6 +53,10 @@ WarningHandler Session::warning_handler() {
   return [this](const Warning& warning) { warn(warning); };
 }
 
+void Session::note(std::string_view list, const JsonObject& item) {
+  if (report_) report_->add_to_list(list, item);
+}
+
 void Session::error(const Error& error) {
   ++errors_;
   if (report_) report_->add(Severity::kError, error.place(), {}, error.message());

@@ -32,6 +32,11 @@ class Session {
   WarningHandler warning_handler();
   std::size_t warning_count() const { return warnings_; }
 
+  // Whether there is a report, and so a use for what goes into it.
+  bool has_report() const { return report_ != nullptr; }
+  // Notes something in a list of the report, if there is one.
+  void note(std::string_view list, const JsonObject& item);
+
   // Prints an error in one line. The run may go on, and will end with exit code 1.
   void error(const Error& error);
   std::size_t error_count() const { return errors_; }

@@ -37,6 +37,13 @@ struct Ground {
   Vector offset_at(const PlacedRuns::Blend& blend, double x) const {
     return runs.offset_at(blend, x, lane);
   }
+  // How far the line is off itself where the style rounds its corners.
+  Vector rounding_at(double x) const {
+    const double blur = grid.scale_at(in_range(x)) * runs.blur_at(runs.blend_at(x, lane), x, lane);
+    if (!(blur > 0)) return {};
+    const double length = length_at(x);
+    return line.point_at(length, blur) - line.point_at(length);
+  }
 };
 
 // Offsets on the page at the coordinates, stitched where runs meet.
@@ -59,6 +66,11 @@ std::vector<Vector> stitched_offsets(const Ground& ground, std::span<const doubl
   }
   if (ground.closed && n < 3) return anchors;
   return stitch(anchors, moves, gaps, reach, ground.closed);
+}
+
+// Adds to each offset how far the line is off itself where the style rounds its corners.
+void round_corners(std::vector<Vector>& offsets, const Ground& ground, std::span<const double> xs) {
+  for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += ground.rounding_at(xs[i]);
 }
 
 // The sample coordinates with the held ones among them, bit for bit.
@@ -113,6 +125,7 @@ DrawnLine draw_stroke(const Example& example, const Ground& ground, std::vector<
   const Sweep& line = ground.line;
   xs = with_held(xs, held);
   std::vector<Vector> offsets = stitched_offsets(ground, xs, kStitchReach * feature);
+  round_corners(offsets, ground, xs);
   std::optional<double> period;
   if (ground.closed) period = ground.steps();
   hold(offsets, xs, held, kWarpWidth * feature, period);
@@ -171,8 +184,8 @@ void hold_nearest(std::span<LaneStroke> strokes, double x) {
       if (own < stroke.xs.front() - kSamePlace || own > stroke.xs.back() + kSamePlace) continue;
       if (turn > 0 && !stroke.ground.line.closed()) continue;
       const Ground& ground = stroke.ground;
-      const double off =
-          squared_norm(ground.offset_at(ground.runs.blend_at(own, ground.lane), own));
+      const Vector offset = ground.offset_at(ground.runs.blend_at(own, ground.lane), own);
+      const double off = squared_norm(ground.to_page(offset, own) + ground.rounding_at(own));
       if (nearest && off >= least) continue;
       nearest = &stroke;
       least = off;

@@ -27,10 +27,10 @@ struct DrawnLine {
 //  2. Half a feature size to each side of a jump the two runs fade into each other.
 //  3. What the fade bends is put right over three feature sizes to each side (stitch.h): the shapes
 //     of the runs count, not the places.
-//  4. At the style coordinates `held`, rising, the line is moved to where it was (warp.h) and
-//  passes
-//     there exactly: the ends of open lines, and where other lines meet it.
-//  5. The features of the example are copied with the runs and fade as they do; lengths among them
+//  4. Corners that the style rounds are rounded (rounded_corners.h).
+//  5. At the style coordinates `held`, rising, the line is moved to where it was (warp.h) and
+//     passes there exactly: the ends of open lines, and where other lines meet it.
+//  6. The features of the example are copied with the runs and fade as they do; lengths among them
 //     at the local scale.
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
                     std::span<const ChainState> walk, std::span<const double> held);

@@ -146,7 +146,11 @@ class CurveAnalogy::Implementation {
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
   const Example& example() const { return example_; }
-  double longest_curve() const { return kMostSteps * example_.step(); }
+  double longest_curve() const {
+    const double longest = kMostSteps * example_.step();
+    return search_ ? std::min(longest, search_->longest_line()) : longest;
+  }
+  StyleSummary summary() const;
 
  private:
   StyledCurve unchanged(const Polyline& curve) const;
@@ -206,6 +210,15 @@ StyledCurve CurveAnalogy::Implementation::too_long(const Polyline& curve) const 
   StyledCurve result = unchanged(curve);
   result.too_long = true;
   return result;
+}
+
+StyleSummary CurveAnalogy::Implementation::summary() const {
+  const bool samples_the_chain = parameters_.shape_weight == 0;
+  StyleSummary summary =
+      summarize(example_, jumps_, parameters_, parameters_.mean_run.value_or(kMeanRun),
+                samples_the_chain ? variety().longest_run : 0);
+  if (search_) summary.search = search_->summary();
+  return summary;
 }
 
 StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const CurveTask& task) const {
@@ -370,6 +383,8 @@ StyledCurve CurveAnalogy::draw(const Polyline& curve, const CurveTask& task) con
 double CurveAnalogy::longest_curve() const { return implementation_->longest_curve(); }
 
 const Example& CurveAnalogy::example() const { return implementation_->example(); }
+
+StyleSummary CurveAnalogy::summary() const { return implementation_->summary(); }
 
 StyledCurve draw_by_analogy(const ExamplePair& pair, const Polyline& curve,
                             const CurveAnalogyParameters& parameters) {

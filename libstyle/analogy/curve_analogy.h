@@ -48,6 +48,7 @@
 #include "libstyle/analogy/assembly.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/parameters.h"
+#include "libstyle/analogy/style_summary.h"
 #include "libstyle/geometry/polyline.h"
 
 namespace libstyle {
@@ -100,10 +101,12 @@ class CurveAnalogy {
   // longest_curve() come back as they are. Safe to call from several threads.
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
-  // A million steps of the example: more would take hours, and hardly be what was meant.
+  // A million steps of the example, or 65,536 spacings of the search: more would take hours, and
+  // hardly be what was meant.
   double longest_curve() const;
 
   const Example& example() const;
+  StyleSummary summary() const;
 
  private:
   class Implementation;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -128,8 +129,9 @@ class StyledFeatures {
 
 struct PathMeasure {
   double length = 0;
-  double small_length = 0;  // of curves with the style at less than half its size
-  bool too_long = false;    // it, or one of its subpaths, stays as it is
+  double small_length = 0;           // of curves with the style at less than half its size
+  bool too_long = false;             // it, or one of its subpaths, stays as it is
+  std::vector<CurveMeasure> curves;  // if they are wanted
 };
 
 // A subpath that stays as it is.
@@ -210,10 +212,27 @@ void find_meetings(std::span<FlatPath> paths) {
   for (std::vector<double>* lengths : held) std::ranges::sort(*lengths);
 }
 
-// `task` is that of the first subpath but for what is held. `walks`, one for each subpath, may be
-// null.
+std::size_t vertex_count(std::span<const Subpath> subpaths, std::size_t i, const Path& path) {
+  const std::size_t end =
+      i + 1 < subpaths.size() ? subpaths[i + 1].first_vertex : path.vertex_count();
+  return end - subpaths[i].first_vertex;
+}
+
+Path joined(std::span<const SmoothCurve> strokes) {
+  Path result;
+  for (const SmoothCurve& stroke : strokes) result.append(stroke.path);
+  return result;
+}
+
+// What is wanted of one path, and of how it was drawn in the frame before.
+struct PathTask {
+  CurveTask first;                          // of the first subpath, but for what is held
+  std::vector<LineWalks>* walks = nullptr;  // one for each subpath; null if there are no frames
+  bool is_measured = false;
+};
+
 PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
-                      CurveTask task, std::vector<LineWalks>* walks) {
+                      const PathTask& path_task) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
@@ -226,11 +245,12 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
   bool any_drawn = false;
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
+    CurveTask task = path_task.first;
+    task.place += i;
     task.held = flat.held[i];
-    if (walks) task.before = &(*walks)[i];
+    if (path_task.walks) task.before = &(*path_task.walks)[i];
     StyledCurve drawn = style.draw(flats[i].polyline, task);
-    if (walks) (*walks)[i] = std::move(drawn.walks);
-    ++task.place;
+    if (path_task.walks) (*path_task.walks)[i] = std::move(drawn.walks);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const FitTolerances tolerances =
         fit_tolerances(style.example(), std::max(drawn.mean_scale, 0.05));
@@ -238,13 +258,19 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
     const std::vector<SmoothCurve> fresh =
         stays ? std::vector{kept(old[i], flats[i])} : smooth_strokes(drawn, length, tolerances);
     for (const SmoothCurve& stroke : fresh) {
-      path.append(stroke.path);
       append_values(along, record.along, flats[i], stroke.lengths);
       if (stays) {
         features.append_kept(along, drawn, stroke.lengths.size());
       } else {
         features.append(stroke);
       }
+    }
+    const Path written = joined(fresh);
+    path.append(written);
+    if (path_task.is_measured) {
+      CurveMeasure curve = measure_curve(flats[i].polyline, flat.held[i], drawn, written);
+      curve.vertices_before = vertex_count(old, i, record.path);
+      measure.curves.push_back(std::move(curve));
     }
     any_drawn = any_drawn || !stays;
     measure.length += length;
@@ -356,9 +382,12 @@ void warn_if_long(std::span<const StyledPath> paths, std::span<const PathMeasure
                   const WarningHandler& warn) {
   for (std::size_t i = 0; warn && i < paths.size(); ++i) {
     if (!measures[i].too_long) continue;
+    std::string message = "is too long for its style, which draws lines of up to ";
+    append_number(message, std::floor(paths[i].analogy->longest_curve()));
+    message += " px; it stays as it is";
     warn({{.file = "", .line = paths[i].record->line},
           std::string(given_id(paths[i].record->id)),
-          "is over a million times as long as a step of the style; it stays as it is"});
+          message});
   }
 }
 
@@ -379,9 +408,23 @@ void warn_if_small(std::span<const StyledPath> paths, std::span<const PathMeasur
   warn(warning);
 }
 
+void summarize_styles(std::span<const StyledPath> paths, std::span<PathMeasure> measures,
+                      const StylePlan& plan, std::vector<StyleMeasures>& result) {
+  for (std::size_t style = 0; style < plan.styles.size(); ++style) {
+    if (!plan.styles[style].analogy) continue;
+    std::vector<CurveMeasure> curves;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (paths[i].style == style)
+        std::ranges::move(measures[i].curves, std::back_inserter(curves));
+    }
+    result[style] = summarize(curves, plan.styles[style].analogy->example());
+  }
+}
+
 }  // namespace
 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
+  if (options.measures) options.measures->assign(plan.styles.size(), {});
   std::vector<StyledPath> paths = styled_paths(document, plan);
   const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
   if (any == paths.end()) return;
@@ -398,19 +441,21 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
     if (path.analogy) {
       const bool alike = path.style == paths[place].style;
       const FlatPath& own = flat[alike ? place : i];
-      const CurveTask task{.place = place << 24,
+      const PathTask task{{.place = place << 24,
                            .held = {},
                            .variant = options.variant,
                            .before = nullptr,
-                           .coherence = options.coherence};
-      if (options.walks) (*options.walks)[i].resize(own.subpaths.size());
-      measures[i] = draw_path(path.drawn(), own, *path.analogy, task,
-                              options.walks ? &(*options.walks)[i] : nullptr);
+                           .coherence = options.coherence},
+                          options.walks ? &(*options.walks)[i] : nullptr,
+                          options.measures != nullptr};
+      if (task.walks) task.walks->resize(own.subpaths.size());
+      measures[i] = draw_path(path.drawn(), own, *path.analogy, task);
     }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
     options.progress(static_cast<double>(++done) / static_cast<double>(paths.size()));
   });
+  if (options.measures) summarize_styles(paths, measures, plan, *options.measures);
   warn_if_long(paths, measures, options.warn);
   for (std::size_t style = 0; style < plan.styles.size(); ++style) {
     warn_if_small(paths, measures, style, plan.styles[style].name, options.warn);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libstyle/analogy/curve_analogy.h"
+#include "libstyle/analogy/drawing_measures.h"
 #include "libstyle/base/progress.h"
 #include "libstyle/base/warning.h"
 #include "libstyle/curves/document.h"
@@ -27,6 +28,9 @@ struct DrawingOptions {
   // one. The document and the plan are the same as they were then.
   DrawnWalks* walks = nullptr;
   double coherence = 0;  // how much of the frame before stays, 0 .. 1
+  // Where the measures of each style of the plan go, if they are wanted. Of styles that nothing is
+  // drawn in they are left empty.
+  std::vector<StyleMeasures>* measures = nullptr;
 };
 
 // What the parts of a drawing are drawn in.
@@ -36,6 +40,7 @@ struct StylePlan {
   struct Style {
     const CurveAnalogy* analogy = nullptr;  // null if nothing is drawn in it
     std::string name = "the style";         // in warnings
+    bool has_fitting_scale = false;         // rather than one that was given
   };
 
   std::vector<Style> styles;

@@ -8,6 +8,7 @@
 
 #include "libstyle/analogy/correspondence.h"
 #include "libstyle/analogy/feature_size.h"
+#include "libstyle/analogy/rounded_corners.h"
 #include "libstyle/analogy/strokes.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
@@ -24,7 +25,8 @@ constexpr double kMaxStates = 2048;            // bounds the table of jumps
 constexpr double kNearEnd = 0.5;               // feature sizes: of a stroke to the end of its line
 constexpr double kSharpTurn = 0.5;             // radians: resampling must not cut such a vertex off
 
-// A closed curve becomes an open one that ends where it begins.
+// A closed curve becomes an open one that ends where it begins, which can be sampled and measured
+// like any other.
 SampledCurve opened(SampledCurve curve) {
   if (curve.polyline.closed && curve.size() > 0) {
     curve.polyline.points.push_back(curve.polyline.points.front());
@@ -35,9 +37,16 @@ SampledCurve opened(SampledCurve curve) {
   return curve;
 }
 
+Polyline closed_again(Polyline opened) {
+  opened.points.pop_back();
+  opened.closed = true;
+  return opened;
+}
+
 struct Pair {
   std::optional<Polyline> unfiltered;
   std::vector<SampledCurve> strokes;  // t: the length along the unfiltered curve
+  bool closed = false;                // both were, before they were opened
 };
 
 SampledCurve checked(const SampledCurve& curve, double scale, const char* which) {
@@ -78,6 +87,12 @@ void scale_features(SampledCurve& curve, std::span<const LineFeature> features, 
   }
 }
 
+// Several strokes have their places along the unfiltered curve as it was opened.
+bool goes_round(const ExamplePair& pair) {
+  return pair.others.empty() && pair.filtered.polyline.closed &&
+         (!pair.unfiltered || pair.unfiltered->polyline.closed);
+}
+
 Pair prepare(const ExamplePair& pair, double scale) {
   Pair result;
   result.strokes.push_back(checked(pair.filtered, scale, "filtered"));
@@ -85,6 +100,7 @@ Pair prepare(const ExamplePair& pair, double scale) {
     result.strokes.push_back(checked(other, scale, "filtered"));
   }
   for (SampledCurve& stroke : result.strokes) scale_features(stroke, pair.features, scale);
+  result.closed = goes_round(pair);
   if (!pair.unfiltered) return result;
   const SampledCurve unfiltered = checked(*pair.unfiltered, scale, "unfiltered");
   result.unfiltered = unfiltered.polyline;
@@ -99,6 +115,16 @@ Pair prepare(const ExamplePair& pair, double scale) {
     first.t = corresponding_lengths(first.polyline, unfiltered.polyline);
   }
   return result;
+}
+
+// The filtered curve, blurred.
+Polyline without_detail(const Pair& pair, double blur) {
+  const Polyline& filtered = pair.strokes.front().polyline;
+  if (!pair.closed) return gaussian_blur(filtered, blur);
+  Polyline plain = gaussian_blur(closed_again(filtered), blur);
+  plain.points.push_back(plain.points.front());
+  plain.closed = false;
+  return plain;
 }
 
 // How much of the unfiltered curves there is below the strokes: all of them below single ones.
@@ -156,24 +182,47 @@ SampledCurve sampled(const SampledCurve& stroke, double spacing) {
   return resample(curve, spacing, sharp_parameters(curve));
 }
 
-std::vector<ExampleLine::Sample> offsets_from(const Sweep& sweep, const SampledCurve& filtered) {
+std::vector<ExampleLine::Sample> offsets_from(const Sweep& sweep, const SampledCurve& filtered,
+                                              const RoundedCorners& rounded) {
   std::vector<ExampleLine::Sample> samples(filtered.size());
   const std::vector<Point>& points = filtered.polyline.points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double length = filtered.t[i];
     const Vector frame = sweep.frame_at(length);
-    const Point before = points[i > 0 ? i - 1 : 0];
-    const Point after = points[std::min(i + 1, points.size() - 1)];
-    samples[i] = {length, to_frame(points[i] - sweep.point_at(length), frame),
-                  to_frame(normalized(after - before), frame)};
+    const std::size_t last = points.size() - 1;
+    const Point before = points[i > 0 ? i - 1 : (sweep.closed() ? last - 1 : 0)];
+    const Point after = points[i < last ? i + 1 : (sweep.closed() ? 1 : last)];
+    const double blur = rounded.blur_at(length);
+    samples[i] = {length, to_frame(points[i] - sweep.point_at(length, blur), frame),
+                  to_frame(normalized(after - before), frame), blur};
   }
   return samples;
 }
 
-std::vector<Lane> lanes_of(const Sweep& sweep, const Pair& pair, double spacing, double near_end) {
+// How strokes become lanes.
+struct LaneTask {
+  const Polyline& plain;
+  double spacing = 0;  // of samples
+  double feature = 0;  // half the size of one, along the plain line
+  bool rounds_corners = false;
+};
+
+std::vector<ExampleLine::Sample> samples_of(const Sweep& sweep, const SampledCurve& stroke,
+                                            const LaneTask& task) {
+  const RoundedCorners rounded =
+      task.rounds_corners ? RoundedCorners(task.plain, stroke, task.feature) : RoundedCorners();
+  return offsets_from(sweep, stroke, rounded);
+}
+
+std::vector<Lane> lanes_of(const Sweep& sweep, std::span<const SampledCurve> filtered,
+                           const LaneTask& task) {
   std::vector<SampledCurve> strokes;
-  for (const SampledCurve& stroke : pair.strokes) strokes.push_back(sampled(stroke, spacing));
-  if (strokes.size() == 1) return {{offsets_from(sweep, strokes[0]), strokes[0].channels}};
+  for (const SampledCurve& stroke : filtered) strokes.push_back(sampled(stroke, task.spacing));
+  if (strokes.size() == 1) {
+    std::optional<double> period;
+    if (sweep.closed()) period = sweep.length();
+    return {{samples_of(sweep, strokes[0], task), strokes[0].channels, period}};
+  }
   std::ranges::stable_sort(strokes, {}, [](const SampledCurve& s) { return s.t.front(); });
   std::vector<Lane::Stroke> stretches;
   for (const SampledCurve& stroke : strokes)
@@ -181,9 +230,9 @@ std::vector<Lane> lanes_of(const Sweep& sweep, const Pair& pair, double spacing,
   const std::vector<std::size_t> places = assign_lanes(stretches);
   std::vector<Lane> lanes(std::ranges::max(places) + 1);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
-    lanes[places[i]].append_stroke(offsets_from(sweep, strokes[i]), strokes[i].channels);
+    lanes[places[i]].append_stroke(samples_of(sweep, strokes[i], task), strokes[i].channels);
   }
-  for (Lane& lane : lanes) lane.extend_to_ends(sweep.length(), near_end);
+  for (Lane& lane : lanes) lane.extend_to_ends(sweep.length(), kNearEnd * task.feature);
   return lanes;
 }
 
@@ -226,7 +275,8 @@ ExampleLine::ExampleLine(Sweep sweep, std::vector<Lane> lanes)
     : sweep_(std::move(sweep)), lanes_(std::move(lanes)) {}
 
 Point ExampleLine::filtered_at(double length) const {
-  return sweep_.point_at(length) + to_page(at(length).offset, sweep_.frame_at(length));
+  const Sample sample = at(length);
+  return sweep_.point_at(length, sample.blur) + to_page(sample.offset, sweep_.frame_at(length));
 }
 
 Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters) {
@@ -249,9 +299,8 @@ Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParame
   double base_length = 0;
   for (Pair& pair : pairs) {
     if (!pair.unfiltered) {
-      SampledCurve& only = pair.strokes.front();
-      pair.unfiltered = gaussian_blur(only.polyline, kBaseBlur * feature_size_);
-      only.t = cumulative_lengths(*pair.unfiltered);
+      pair.unfiltered = without_detail(pair, kBaseBlur * feature_size_);
+      pair.strokes.front().t = cumulative_lengths(*pair.unfiltered);
     }
     base_length += covered_length(pair);
   }
@@ -263,11 +312,14 @@ Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParame
   feature_along_ = std::max(feature_size_ * base_length / filtered_length, stroke_size);
   const double spacing =
       std::max(filtered_length / parameters.samples, feature_size_ / kMostSamplesPerFeature);
+  const bool rounds_corners = parameters.shape_weight > 0;
   std::size_t lane_count = 1;
   for (const Pair& pair : pairs) {
-    Sweep sweep(*pair.unfiltered, parameters.smoothing * feature_along_, feature_along_,
+    const Polyline plain = pair.closed ? closed_again(*pair.unfiltered) : *pair.unfiltered;
+    Sweep sweep(plain, parameters.smoothing * feature_along_, feature_along_,
                 parameters.invariance);
-    std::vector<Lane> lanes = lanes_of(sweep, pair, spacing, kNearEnd * feature_along_);
+    std::vector<Lane> lanes =
+        lanes_of(sweep, pair.strokes, {plain, spacing, feature_along_, rounds_corners});
     lane_count = std::max(lane_count, lanes.size());
     lines_.emplace_back(std::move(sweep), std::move(lanes));
   }

@@ -35,9 +35,11 @@ class ExampleLine {
  public:
   using Sample = Lane::Sample;
 
-  // At least one lane.
+  // At least one lane. The sweep of a closed curve is closed, and its lanes go round.
   ExampleLine(Sweep sweep, std::vector<Lane> lanes);
 
+  // Whether it goes on at its beginning where it ends.
+  bool goes_round() const { return sweep_.closed(); }
   double length() const { return sweep_.length(); }
   const Sweep& sweep() const { return sweep_; }
   const Lane& lane(std::size_t index) const { return lanes_[index]; }
@@ -46,6 +48,7 @@ class ExampleLine {
   // Of the first lane, which is the filtered curve where it is a single one.
   std::span<const Sample> samples() const { return lanes_.front().samples(); }
   Sample at(double length) const { return lanes_.front().at(length); }
+  // The place of the filtered curve.
   Point filtered_at(double length) const;
 
   // Lanes on which the pen is never down, until there are so many.

@@ -40,6 +40,7 @@ void append_curves(std::vector<ExampleCurve>& curves, const PathRecord& record, 
                        count_vertices(flat)};
     for (const LineFeature& feature : curve.features) {
       curve.values.push_back(values_along(flat.places, feature_values(record.along, feature)));
+      round_to_writable(curve.values.back(), feature);  // as a style document keeps them
     }
     const std::size_t first = flat.places.front().start_vertex;
     for (const PathPlace& place : flat.places) {
@@ -68,14 +69,10 @@ std::string counted(std::size_t count) {
 }
 
 // What all the curves have.
-std::vector<LineFeature> common_features(std::span<const ExampleCurve> curves) {
-  std::vector<LineFeature> common = curves.front().features;
-  for (const ExampleCurve& curve : curves) {
-    std::erase_if(common, [&](const LineFeature& feature) {
-      return std::ranges::find(curve.features, feature) == curve.features.end();
-    });
-  }
-  return common;
+std::vector<LineFeature> features_of(std::span<const ExampleCurve> curves) {
+  std::vector<std::vector<LineFeature>> each;
+  for (const ExampleCurve& curve : curves) each.push_back(curve.features);
+  return common_features(each);
 }
 
 void add_features(ExamplePair& pair, const ExampleCurve& filtered,
@@ -124,7 +121,7 @@ std::vector<Polyline> polylines_of(std::span<const ExampleCurve> curves) {
 // Every filtered curve is a stroke of the unfiltered one that it lies along.
 std::vector<ExamplePair> pairs_of_strokes(std::span<const ExampleCurve> before,
                                           std::span<const ExampleCurve> after) {
-  const std::vector<LineFeature> features = common_features(after);
+  const std::vector<LineFeature> features = features_of(after);
   const std::vector<std::size_t> lines =
       lines_of_strokes(polylines_of(before), polylines_of(after));
   std::vector<ExamplePair> pairs;
@@ -151,11 +148,30 @@ std::vector<ExamplePair> pairs_of_strokes(std::span<const ExampleCurve> before,
 
 }  // namespace
 
+PathRecord painted_like(const Document& example) {
+  PathRecord path;
+  for (const Record& record : example.records) {
+    const auto* first = std::get_if<PathRecord>(&record);
+    if (!first) continue;
+    path.style = first->style;
+    path.classes = first->classes;
+    break;
+  }
+  // What belongs to the place of the example, or to an area, is left behind.
+  path.style.fill = NoPaint{};
+  if (!path.style.stroke || std::holds_alternative<PaintReference>(*path.style.stroke)) {
+    path.style.stroke = Color{};
+  }
+  path.style.stroke_transform.reset();
+  path.style.hidden = false;
+  return path;
+}
+
 std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered) {
   const std::vector<ExampleCurve> after = curves_of(filtered);
   if (after.empty())
     throw Error("the filtered example has no curve; draw one that shows the style");
-  const std::vector<LineFeature> features = common_features(after);
+  const std::vector<LineFeature> features = features_of(after);
   std::vector<ExamplePair> pairs;
   if (!unfiltered) {
     for (const ExampleCurve& curve : after) {
@@ -165,7 +181,11 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
     return pairs;
   }
   const std::vector<ExampleCurve> before = curves_of(*unfiltered);
-  if (!before.empty() && before.size() < after.size()) return pairs_of_strokes(before, after);
+  if (before.empty()) {
+    throw Error(
+        "the unfiltered example has no curve; draw one for each filtered one, or leave it out");
+  }
+  if (before.size() < after.size()) return pairs_of_strokes(before, after);
   if (before.size() != after.size()) {
     throw Error("the unfiltered example has " + counted(before.size()) + ", the filtered one " +
                 counted(after.size()) + "; draw one for one, in the same order");

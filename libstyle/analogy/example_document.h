@@ -20,4 +20,8 @@ namespace libstyle {
 // no stroke lies along one.
 std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Document& filtered);
 
+// A path without geometry, painted and classed as the first path of a document, but not filled:
+// what is drawn in its style. What belongs to the place of that path is left behind.
+PathRecord painted_like(const Document& example);
+
 }  // namespace libstyle

@@ -71,7 +71,7 @@ JumpCosts::Window JumpCosts::window_at(const ExampleLine& line, double length) c
   const double slack = 1e-9 * line.length();
   for (std::size_t tap = 0; tap < kTaps; ++tap) {
     const double place = length + (static_cast<double>(tap) - kReach) * spacing;
-    window.present[tap] = place >= -slack && place <= line.length() + slack;
+    window.present[tap] = line.goes_round() || (place >= -slack && place <= line.length() + slack);
     for (const Lane& lane : line.lanes()) append_components(window.components[tap], lane, place);
   }
   return window;
@@ -145,8 +145,11 @@ class JumpModelMaker {
  private:
   // Whether a jump to the beginning of `to` would only repeat what is around `length` of `from`.
   bool too_near(std::size_t from, double length, std::size_t to) const {
-    return example_.line_of(from) == example_.line_of(to) &&
-           std::abs(length - example_.length_of(to)) < apart_of(from);
+    if (example_.line_of(from) != example_.line_of(to)) return false;
+    const ExampleLine& line = example_.line(from);
+    double away = std::abs(length - example_.length_of(to));
+    if (line.goes_round()) away = std::min(away, std::abs(line.length() - away));
+    return away < apart_of(from);
   }
 
   // A short line has no two places that far apart; a quarter of it has to do. States lie whole
@@ -160,7 +163,8 @@ class JumpModelMaker {
     model_.chain.landing.resize(example_.state_count());
     for (std::size_t j = 0; j < example_.state_count(); ++j) {
       const double rest = example_.line(j).length() - example_.length_of(j);
-      model_.chain.landing[j] = ends_allowed || rest >= apart_of(j);
+      const bool goes_on = ends_allowed || example_.line(j).goes_round();
+      model_.chain.landing[j] = goes_on || rest >= apart_of(j);
     }
   }
 
@@ -210,8 +214,7 @@ class JumpModelMaker {
     for (std::size_t j = 0; j < example_.state_count(); ++j) {
       costs_.from_end_of(j, row);
       std::vector<ChainJump> jumps = best_jumps(j, row);
-      const double reference =
-          example_.has_next(j) || jumps.empty() ? 0 : jumps.front().probability;
+      const double reference = goes_on(j) || jumps.empty() ? 0 : jumps.front().probability;
       for (ChainJump& jump : jumps) {
         jump.probability = std::exp((reference - jump.probability) / model_.tolerance);
       }
@@ -219,6 +222,20 @@ class JumpModelMaker {
       std::ranges::sort(jumps, {}, &ChainJump::target);
       model_.chain.rows.push_back({0, 0, std::move(jumps)});
     }
+  }
+
+  // Whether the example goes on after a state, be it at its own beginning.
+  bool goes_on(std::size_t j) const {
+    return example_.has_next(j) || example_.line(j).goes_round();
+  }
+
+  // Leads from the last state of a line that goes round to its first: a jump that shows nothing.
+  void close(ChainRow& row, std::size_t last, double probability) const {
+    std::size_t first = last;
+    while (first > 0 && example_.line_of(first - 1) == example_.line_of(last)) --first;
+    const ChainJump jump{static_cast<ChainState>(first), probability};
+    row.jumps.insert(std::ranges::upper_bound(row.jumps, jump.target, {}, &ChainJump::target),
+                     jump);
   }
 
   static double mass(const ChainRow& row) {
@@ -236,11 +253,16 @@ class JumpModelMaker {
       ChainRow& row = model_.chain.rows[j];
       const double own_mass = mass(row);
       double leave = std::min(kLargestJumpProbability, usual * own_mass / mean_mass);
-      if (!example_.has_next(j)) leave = 1 - kAnywhere;
+      if (!goes_on(j)) leave = 1 - kAnywhere;
       if (row.jumps.empty()) leave = 0;
       for (ChainJump& jump : row.jumps) jump.probability *= leave / own_mass;
-      row.anywhere = example_.has_next(j) ? kAnywhere : 1 - leave;
-      row.coherent = example_.has_next(j) ? 1 - leave - kAnywhere : 0;
+      row.anywhere = goes_on(j) ? kAnywhere : 1 - leave;
+      const double coherent = goes_on(j) ? 1 - leave - kAnywhere : 0;
+      if (example_.has_next(j)) {
+        row.coherent = coherent;
+      } else if (goes_on(j)) {
+        close(row, j, coherent);
+      }
     }
   }
 

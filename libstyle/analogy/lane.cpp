@@ -7,12 +7,18 @@
 
 namespace libstyle {
 
-Lane::Lane(std::vector<Sample> samples, std::vector<std::vector<double>> features)
-    : strokes_({Stroke{}}), samples_(std::move(samples)), features_(std::move(features)) {}
+Lane::Lane(std::vector<Sample> samples, std::vector<std::vector<double>> features,
+           std::optional<double> period)
+    : strokes_({Stroke{}}),
+      first_samples_({0}),
+      samples_(std::move(samples)),
+      features_(std::move(features)),
+      period_(period) {}
 
 void Lane::append_stroke(std::span<const Sample> samples,
                          std::span<const std::vector<double>> features) {
   strokes_.push_back({samples.front().length, samples.back().length});
+  first_samples_.push_back(samples_.size());
   samples_.insert(samples_.end(), samples.begin(), samples.end());
   features_.resize(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -31,7 +37,15 @@ bool Lane::is_down(double length) const {
   return after != strokes_.begin() && length <= std::prev(after)->end;
 }
 
+std::span<const Lane::Sample> Lane::samples_of(std::size_t stroke) const {
+  const std::size_t first = first_samples_[stroke];
+  const bool is_last = stroke + 1 == first_samples_.size();
+  const std::size_t end = is_last ? samples_.size() : first_samples_[stroke + 1];
+  return samples().subspan(first, end - first);
+}
+
 Lane::Between Lane::between(double length) const {
+  if (period_) length -= std::floor(length / *period_) * *period_;
   const auto above = std::ranges::upper_bound(samples_, length, {}, &Sample::length);
   const auto after = static_cast<std::size_t>(above - samples_.begin());
   if (after == 0) return {0, 0, 0};
@@ -46,7 +60,8 @@ Lane::Sample Lane::at(double length) const {
   if (before == after) return samples_[before];
   const Sample &a = samples_[before], &b = samples_[after];
   const Vector tangent = normalized(lerp(a.tangent, b.tangent, share));
-  return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent};
+  return {std::lerp(a.length, b.length, share), lerp(a.offset, b.offset, share),
+          tangent == Vector{} ? a.tangent : tangent, std::lerp(a.blur, b.blur, share)};
 }
 
 std::vector<double> Lane::features_at(double length) const {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,9 @@ class Lane {
  public:
   struct Sample {
     double length = 0;  // along the unfiltered curve, never falling
-    Vector offset;      // from the unfiltered curve, in its frame
+    Vector offset;      // from the unfiltered curve, blurred by `blur` there, in its frame
     Vector tangent;     // unit vector along the filtered curve, in the frame
+    double blur = 0;    // where the style rounds a corner, px (rounded_corners.h)
   };
 
   // Lengths between which the pen is down.
@@ -29,7 +31,9 @@ class Lane {
   // The pen is never down.
   Lane() = default;
   // The pen is always down. `features` has a row for each feature, with a value for each sample.
-  Lane(std::vector<Sample> samples, std::vector<std::vector<double>> features);
+  // With a period, the last sample is the first again, that much later.
+  Lane(std::vector<Sample> samples, std::vector<std::vector<double>> features,
+       std::optional<double> period = std::nullopt);
 
   // A stroke from the length of the first sample to that of the last, beyond all strokes before.
   void append_stroke(std::span<const Sample> samples,
@@ -43,10 +47,12 @@ class Lane {
   bool is_down(double length) const;
 
   std::span<const Sample> samples() const { return samples_; }
+  std::span<const Sample> samples_of(std::size_t stroke) const;
   // The values of a feature at the samples.
   std::span<const double> feature(std::size_t index) const { return features_[index]; }
 
-  // Interpolated; the ends hold beyond themselves. Nothing where the pen is never down.
+  // Interpolated; without a period the ends hold beyond themselves. Nothing where the pen is never
+  // down.
   Sample at(double length) const;
   std::vector<double> features_at(double length) const;
 
@@ -60,8 +66,10 @@ class Lane {
   Between between(double length) const;
 
   std::vector<Stroke> strokes_;
+  std::vector<std::size_t> first_samples_;  // of each stroke
   std::vector<Sample> samples_;
   std::vector<std::vector<double>> features_;
+  std::optional<double> period_;
 };
 
 }  // namespace libstyle

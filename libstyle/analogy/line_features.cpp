@@ -48,6 +48,17 @@ std::vector<LineFeature> line_features(const AlongValues& along) {
   return result;
 }
 
+std::vector<LineFeature> common_features(std::span<const std::vector<LineFeature>> each) {
+  if (each.empty()) return {};
+  std::vector<LineFeature> common = each.front();
+  for (const std::vector<LineFeature>& features : each) {
+    std::erase_if(common, [&](const LineFeature& feature) {
+      return std::ranges::find(features, feature) == features.end();
+    });
+  }
+  return common;
+}
+
 std::vector<double> feature_values(const AlongValues& along, const LineFeature& feature) {
   std::uint8_t Color::*const part = member_of(feature.kind);
   if (!part) {
@@ -57,6 +68,11 @@ std::vector<double> feature_values(const AlongValues& along, const LineFeature& 
   std::vector<double> result;
   for (const Color& color : along.colors) result.push_back(color.*part);
   return result;
+}
+
+void round_to_writable(std::vector<double>& values, const LineFeature& feature) {
+  if (!member_of(feature.kind)) return;
+  for (double& value : values) value = std::round(value);
 }
 
 void set_features(AlongValues& along, std::span<const LineFeature> features,

@@ -31,8 +31,14 @@ struct LineFeature {
 // All values along a path but "t", which says where and not what.
 std::vector<LineFeature> line_features(const AlongValues& along);
 
+// Those that all of them have, in the order of the first.
+std::vector<LineFeature> common_features(std::span<const std::vector<LineFeature>> each);
+
 // One value for each vertex; empty if the path has no such feature.
 std::vector<double> feature_values(const AlongValues& along, const LineFeature& feature);
+
+// Values between vertices as far as they can be written: parts of a colour are whole numbers.
+void round_to_writable(std::vector<double>& values, const LineFeature& feature);
 
 // Puts values, one row for each feature, in place of those of the same names, or after all others.
 // Colours are rounded.

@@ -11,8 +11,25 @@
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/greedy/greedy_search.h"
 #include "libstyle/analogy/parameters.h"
+#include "libstyle/analogy/style_summary.h"
 
 namespace libstyle {
+
+// The symbols of the search; what it has in common with the chain is set in one place.
+SearchParameters search_parameters(const CurveAnalogyParameters& parameters);
+
+// What was copied, as pieces of the example on a line of as many steps.
+std::vector<ChainRun> find_runs(const Example& example, const SearchedCurve& drawn);
+
+// The features of the places that the vertices were copied from, with the style at a scale.
+std::vector<std::vector<double>> copied_features(const Example& example, const SearchedCurve& drawn,
+                                                 double scale);
+
+// A longer curve would take minutes: half a millisecond for each of its vertices, and more as the
+// paper has it.
+double longest_curve(const GreedySearch& search);
+
+StyleSummary::Search summarize(const GreedySearch& search, const SearchParameters& parameters);
 
 class LineSearch {
  public:
@@ -29,13 +46,12 @@ class LineSearch {
   Result draw(const Polyline& line, double scale, std::span<const double> held, std::uint64_t place,
               std::uint64_t variant) const;
 
- private:
-  std::vector<std::vector<double>> copied_features(const SearchedCurve& drawn, double scale) const;
-  std::vector<ChainRun> find_runs(const SearchedCurve& drawn) const;
-  ChainState state_of(const SearchedCurve::Source& source) const;
+  double longest_line() const { return longest_curve(search_); }
+  StyleSummary::Search summary() const { return summarize(search_, parameters_); }
 
+ private:
   const Example& example_;
-  std::vector<std::size_t> first_states_;  // of each line of the example
+  SearchParameters parameters_;
   GreedySearch search_;
 };
 

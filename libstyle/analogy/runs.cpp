@@ -93,6 +93,15 @@ std::vector<double> PlacedRuns::features_at(const Blend& blend, double x, std::s
   return result;
 }
 
+double PlacedRuns::blur_at(const Blend& blend, double x, std::size_t lane) const {
+  const auto blur_of = [&](const Placed& run) {
+    return run.line->lane(lane).at(length_at(run, x)).blur;
+  };
+  const double left = blur_of(placed_[blend.left]);
+  if (blend.left == blend.right) return left;
+  return std::lerp(left, blur_of(placed_[blend.right]), blend.right_share);
+}
+
 std::vector<double> PlacedRuns::sample_coordinates(double steps, std::size_t lane) const {
   std::vector<double> result;
   for (const Placed& run : placed_) {

@@ -61,6 +61,7 @@ class PlacedRuns {
   // Of two runs one has all where the other has the pen up.
   Blend blend_at(double x, std::size_t lane = 0) const;
   Vector offset_at(const Blend& blend, double x, std::size_t lane = 0) const;
+  double blur_at(const Blend& blend, double x, std::size_t lane = 0) const;
   // The features of the example, in its size.
   std::vector<double> features_at(const Blend& blend, double x, std::size_t lane = 0) const;
 

@@ -14,7 +14,8 @@ namespace libstyle {
 
 // Windows of two feature sizes to each side on A and B, in their frames: places relative to the
 // middle, and directions weighted by the feature size. The ends of open lines belong together: a
-// line begins best where an example begins and ends best where one ends.
+// line begins best where an example begins and ends best where one ends, and what an example draws
+// at its ends, such as the hook of a letter, does not belong in the middle of a line.
 class ShapeCosts {
  public:
   // Costs are `weight` * squared difference, px^2, / (4 * tolerance): the tolerance of the jumps
@@ -28,11 +29,13 @@ class ShapeCosts {
  private:
   std::vector<double> example_windows_;  // [component][state]
   std::vector<double> line_windows_;     // [step][component]
-  std::vector<double> end_costs_;        // [state]: for the last step
-  std::vector<double> start_costs_;      // [state]: for the first
+  std::vector<double> start_nearness_;   // [state]: 1 where a line begins, 0 away from there
+  std::vector<double> end_nearness_;     // [state]
   std::size_t states_;
   std::size_t steps_;
   double factor_;
+  double feature_steps_ = 0;  // of a feature size
+  bool closed_ = false;
 };
 
 }  // namespace libstyle

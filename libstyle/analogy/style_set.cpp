@@ -41,7 +41,7 @@ StylePlan StyleSet::plan(const Document& document, const WarningHandler& warn) {
   const auto prepare = [&](Style& style) {
     const std::vector<const Path*> paths = paths_in(document, plan, plan.styles.size());
     const CurveAnalogy* analogy = paths.empty() ? nullptr : ready(style, paths);
-    plan.styles.push_back({analogy, style.example.name});
+    plan.styles.push_back({analogy, style.example.name, style.example.fits});
     return analogy != nullptr;
   };
   for (Style& style : styles_) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "libstyle/geometry/gaussian.h"
 #include "libstyle/geometry/sampled_curve.h"
@@ -13,6 +14,10 @@ namespace {
 // Vertices a blur of this standard deviation needs to show its shape; by trial, finer ones change
 // the directions by less than a degree.
 constexpr double kVerticesPerBlur = 4;
+
+// Samples to each side of a place that is blurred, and how many standard deviations they reach.
+constexpr int kBlurTaps = 16;
+constexpr double kBlurReach = 3.5;
 
 // Adds vertices, keeping all the given ones, until none is farther than `spacing` from the next.
 Polyline with_more_vertices(const Polyline& curve, double spacing) {
@@ -54,6 +59,24 @@ Sweep::Sweep(const Polyline& curve, double smoothing, double frame_blur, Invaria
 
 Point Sweep::point_at(double length) const {
   return libstyle::point_at(places_, along_.place_at(length));
+}
+
+// Beyond an end the curve goes on as its point reflection there, so that the end stays.
+Point Sweep::point_at(double length, double blur) const {
+  if (!(blur > 0)) return point_at(length);
+  const auto extended = [&](double at) {
+    const double inside = closed() ? at : std::clamp(at, 0.0, this->length());
+    return inside == at ? point_at(at) : 2 * point_at(inside) - point_at(2 * inside - at);
+  };
+  Point sum;
+  double weights = 0;
+  for (int tap = -kBlurTaps; tap <= kBlurTaps; ++tap) {
+    const double u = kBlurReach * tap / kBlurTaps;
+    const double weight = std::exp(-0.5 * u * u);
+    sum += weight * extended(length + u * blur);
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 Vector Sweep::frame_at(double length) const {

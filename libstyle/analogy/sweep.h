@@ -34,6 +34,8 @@ class Sweep {
   double length() const { return along_.total(); }
   bool closed() const { return along_.polyline().closed; }
   Point point_at(double length) const;
+  // The same place on the curve blurred by `blur` (standard deviation in arc length, >= 0) there.
+  Point point_at(double length, double blur) const;
   // The direction of the frame: {1, 0} everywhere under Invariance::kTranslate.
   Vector frame_at(double length) const;
   // The direction of the blurred curve itself.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libstyle/analogy/feature_size.h"
+#include "libstyle/analogy/line_search.h"
 #include "libstyle/base/error.h"
 #include "libstyle/base/random.h"
 #include "libstyle/geometry/arc_length.h"
@@ -36,6 +37,7 @@ std::vector<ExamplePair> own_lines(std::vector<ExamplePair> pairs) {
     pair.unfiltered = with_length_parameter(pair.filtered.polyline);
     pair.filtered.t = pair.unfiltered->t;
     pair.same_parameter = true;
+    pair.others.clear();
   }
   return pairs;
 }
@@ -109,6 +111,14 @@ void append_features(SynthesizedCurve& drawn, const std::vector<double>& values)
   for (std::size_t i = 0; i < values.size(); ++i) drawn.features[i].push_back(values[i]);
 }
 
+std::vector<SearchExample> search_examples(const Example& example) {
+  std::vector<SearchExample> result;
+  for (const Polyline& curve : filtered_curves(example)) {
+    result.push_back({std::nullopt, with_length_parameter(curve)});
+  }
+  return result;
+}
+
 // The beginning of the curve, up to a length.
 void cut(SynthesizedCurve& drawn, double length) {
   const ArcLength along(drawn.curve);
@@ -133,11 +143,31 @@ CurveSynthesis::CurveSynthesis(std::span<const Polyline> examples,
 
 CurveSynthesis::CurveSynthesis(std::span<const ExamplePair> examples,
                                const CurveAnalogyParameters& parameters)
-    : parameters_(synthesis_parameters(examples, parameters)),
+    : asked_(parameters),
+      parameters_(synthesis_parameters(examples, parameters)),
       example_(own_lines({examples.begin(), examples.end()}), parameters_),
-      jumps_(make_jump_model(example_, parameters_.mean_run.value_or(kMeanRun), false)) {}
+      jumps_(make_jump_model(example_, parameters_.mean_run.value_or(kMeanRun), false)) {
+  if (parameters_.method == AnalogyMethod::kGreedy) {
+    search_.emplace(search_examples(example_), search_parameters(parameters_));
+  }
+}
 
-double CurveSynthesis::longest_curve() const { return kMostSteps * example_.step(); }
+double CurveSynthesis::longest_curve() const {
+  const double longest = kMostSteps * example_.step();
+  return search_ ? std::min(longest, libstyle::longest_curve(*search_)) : longest;
+}
+
+StyleSummary CurveSynthesis::summary() const {
+  StyleSummary summary = summarize(example_, jumps_, asked_,
+                                   parameters_.mean_run.value_or(kMeanRun), variety().longest_run);
+  if (search_) summary.search = summarize(*search_, search_parameters(parameters_));
+  return summary;
+}
+
+ChainVariety CurveSynthesis::variety() const {
+  const double longest = kLongestRun * static_cast<double>(example_.state_count());
+  return {static_cast<std::size_t>(longest) + 1, kRepeatFactor};
+}
 
 SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place,
                                       std::uint64_t variant) const {
@@ -145,14 +175,21 @@ SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place,
     throw Error("the length of a curve to be made must be above 0 px and at most " +
                 std::to_string(static_cast<long long>(longest_curve())) + " px");
   }
+  if (!search_) return walk(length, place, variant);
+  const SearchedCurve drawn = search_->synthesize(length, {}, place, variant);
+  SynthesizedCurve result{drawn.curve.polyline, copied_features(example_, drawn, 1),
+                          find_runs(example_, drawn)};
+  const Point start = result.curve.points.front();
+  for (Point& p : result.curve.points) p -= start;
+  return result;
+}
+
+SynthesizedCurve CurveSynthesis::walk(double length, std::uint64_t place,
+                                      std::uint64_t variant) const {
   ChainTask task;
   task.steps = static_cast<std::size_t>(std::ceil(kSpareSteps * length / example_.step())) + 1;
-  ChainVariety variety;
-  variety.longest_run =
-      static_cast<std::size_t>(kLongestRun * static_cast<double>(example_.state_count())) + 1;
-  variety.repeat_factor = kRepeatFactor;
-  const std::vector<ChainState> walk =
-      sample_chain(jumps_.chain, task, RandomStream(parameters_.seed + variant, place), 0, variety);
+  const std::vector<ChainState> walk = sample_chain(
+      jumps_.chain, task, RandomStream(parameters_.seed + variant, place), 0, variety());
 
   SynthesizedCurve result;
   result.runs = find_runs(example_, walk);

@@ -15,6 +15,9 @@
 //     a jump the two fade into each other in their moves, so there is no seam
 //     to mend.                                                                  runs.h
 //
+// Under AnalogyMethod::kGreedy the curve is made by the paper's own search instead
+// (greedy/greedy_search.h), which comes out up to a sixth shorter or longer than was asked for.
+//
 // Departures. The paper grows the curve sample by sample; its literal search copies without end
 // where it finds an exact match, loops near the end of the example, and loses the fine levels
 // (tests/bench/literal shows it). Here no run is longer than an eighth of the example, no jump
@@ -31,13 +34,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "libstyle/analogy/example.h"
+#include "libstyle/analogy/greedy/greedy_search.h"
 #include "libstyle/analogy/jump_costs.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/runs.h"
+#include "libstyle/analogy/style_summary.h"
 #include "libstyle/geometry/polyline.h"
 
 namespace libstyle {
@@ -50,10 +56,11 @@ struct SynthesizedCurve {
 
 class CurveSynthesis {
  public:
-  // Of the parameters seed, invariance, scale, feature_size, samples and mean_run count. Throws
-  // Error when one is out of range or an example cannot serve. Examples are cut where they close.
+  // Of the parameters seed, invariance, scale, feature_size, samples and mean_run count, and those
+  // of the search if that is the method. Throws Error when one is out of range or an example cannot
+  // serve. Examples that close have no seam.
   CurveSynthesis(std::span<const Polyline> examples, const CurveAnalogyParameters& parameters);
-  // The filtered curves of the pairs, with their features.
+  // The filtered curves of the pairs, with their features; not the further strokes.
   CurveSynthesis(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters);
 
   // A curve of this length, px of the drawing: > 0 and at most longest_curve(). `place` tells
@@ -61,15 +68,21 @@ class CurveSynthesis {
   // to call from several threads.
   SynthesizedCurve draw(double length, std::uint64_t place, std::uint64_t variant = 0) const;
 
-  // A million steps of the example, as for analogies.
+  // As for analogies.
   double longest_curve() const;
 
   const Example& example() const { return example_; }
+  StyleSummary summary() const;
 
  private:
-  CurveAnalogyParameters parameters_;
+  SynthesizedCurve walk(double length, std::uint64_t place, std::uint64_t variant) const;
+  ChainVariety variety() const;
+
+  CurveAnalogyParameters asked_;
+  CurveAnalogyParameters parameters_;  // with the feature size
   Example example_;
   JumpModel jumps_;
+  std::optional<GreedySearch> search_;
 };
 
 }  // namespace libstyle

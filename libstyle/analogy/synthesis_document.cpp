@@ -14,37 +14,24 @@ namespace {
 
 constexpr double kMargin = 0.02;  // of the longer side
 
-PathRecord painted_like(const Document& example) {
-  PathRecord path;
-  for (const Record& record : example.records) {
-    const auto* first = std::get_if<PathRecord>(&record);
-    if (!first) continue;
-    path.style = first->style;
-    path.classes = first->classes;
-    break;
-  }
-  // What belongs to the place of the example, or to an area, is left behind.
-  path.style.fill = NoPaint{};
-  if (!path.style.stroke || std::holds_alternative<PaintReference>(*path.style.stroke)) {
-    path.style.stroke = Color{};
-  }
-  path.style.stroke_transform.reset();
-  path.style.hidden = false;
-  return path;
-}
-
 }  // namespace
 
-std::vector<ExamplePair> synthesis_examples(const Document& example) {
-  return example_pairs(nullptr, example);
+std::vector<ExamplePair> synthesis_examples(std::span<const ExamplePair> pairs) {
+  std::vector<ExamplePair> examples;
+  for (const ExamplePair& pair : pairs) {
+    examples.push_back({.unfiltered = {}, .filtered = pair.filtered, .features = pair.features});
+    for (const SampledCurve& stroke : pair.others) {
+      examples.push_back({.unfiltered = {}, .filtered = stroke, .features = pair.features});
+    }
+  }
+  return examples;
 }
 
-Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,
-                              std::uint64_t variant) {
-  SynthesizedCurve made = style.draw(length, 0, variant);
+Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurve& made,
+                              const Document& example) {
   StyledCurve drawn;
-  drawn.curve = std::move(made.curve);
-  drawn.features = std::move(made.features);
+  drawn.curve = made.curve;
+  drawn.features = made.features;
   Box box;
   for (const Point p : drawn.curve.points) box.include(p);
   PathRecord path = painted_like(example);
@@ -53,10 +40,10 @@ Document synthesized_document(const CurveSynthesis& style, const Document& examp
   for (Point& p : drawn.curve.points) p += Point{margin, margin} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
-  const Example& own = style.example();
-  SmoothCurve smooth = smooth_curve(drawn, length, fit_tolerances(own, 1));
-  path.path = std::move(smooth.path);
-  set_features(path.along, own.features(), smooth.features);
+  const SmoothCurve smooth =
+      smooth_curve(drawn, arc_length(drawn.curve), fit_tolerances(style.example(), 1));
+  path.path = smooth.path;
+  set_features(path.along, style.example().features(), smooth.features);
   Document document;
   document.header.name = example.header.name;
   document.header.width = std::ceil(size.x + 2 * margin);

@@ -2,21 +2,21 @@
 // Curves made from an example alone, as documents.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
+#include "libstyle/analogy/example.h"
 #include "libstyle/analogy/synthesis.h"
 #include "libstyle/curves/document.h"
 
 namespace libstyle {
 
-// The subpaths of a document as examples, with what goes along them. Throws Error when there are
-// none.
-std::vector<ExamplePair> synthesis_examples(const Document& example);
+// The filtered curves of pairs, every stroke on its own, with what goes along them.
+std::vector<ExamplePair> synthesis_examples(std::span<const ExamplePair> pairs);
 
-// A page with one curve, painted as the first path of `example`, with a small margin round it.
-Document synthesized_document(const CurveSynthesis& style, const Document& example, double length,
-                              std::uint64_t variant);
+// A page with one curve of a style, painted as the first path of `example`, with a small margin
+// round it.
+Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurve& made,
+                              const Document& example);
 
 }  // namespace libstyle

@@ -33,7 +33,7 @@ command_case(curve-analogy/too-large-a-style-is-warned-about
   STDERR "~curve-analogy: drawings/plan.svg: warning: the style is large for this drawing: 100 % .*")
 command_case(curve-analogy/endless-lines-stay-as-they-are
   RUN [[printf '{"curves":1}\n{"type":"path","id":"far","d":"M0 0 L1e300 0"}\n' | curve-analogy --filtered styles/wavy.svg | tail -n 1]]
-  STDERR "curve-analogy: stdin:2: warning: #far: is over a million times as long as a step of the style; it stays as it is"
+  STDERR "~curve-analogy: stdin:2: warning: #far: is too long for its style, which draws lines of up to [0-9]+ px; it stays as it is"
   SAME "echo '{\"type\":\"path\",\"id\":\"far\",\"d\":\"M0 0 L1e+300 0\"}'")
 command_case(curve-analogy/without-an-example
   RUN "curve-analogy drawings/plan.svg" EXIT 2
@@ -183,12 +183,182 @@ command_case(curve-analogy/faithful-differs-from-greedy
   RUN [[curve-analogy --filtered styles/wavy.svg --method greedy --samples 300 drawings/plan.svg | tail -n +2 > $OUT/1
         curve-analogy --filtered styles/wavy.svg --faithful --levels 4 --samples 300 drawings/plan.svg | tail -n +2 > $OUT/2
         ! cmp -s $OUT/1 $OUT/2]])
+# Options that contradict each other, or say nothing.
+foreach(symbol levels passes neighborhood w-offset w-delta w-coarse kappa epsilon delta-t)
+  command_case(curve-analogy/symbols-are-for-greedy-${symbol}
+    RUN "curve-analogy --filtered styles/wavy.svg --${symbol} 3 drawings/plan.svg" EXIT 2
+    STDERR "curve-analogy: --${symbol} is for --method greedy; give that too; see curve-analogy --help")
+endforeach()
+command_case(curve-analogy/faithful-is-no-chain
+  RUN "curve-analogy --filtered styles/wavy.svg --faithful --method chain drawings/plan.svg" EXIT 2
+  STDERR "curve-analogy: --faithful is greedy; leave out --method chain; see curve-analogy --help")
+foreach(option "--shape-weight 2" "--smoothing 1" "--smallest-scale 1" "--corner-angle 20" "--loose-ends")
+  string(MAKE_C_IDENTIFIER "${option}" name)
+  string(REGEX REPLACE " .*" "" option_name "${option}")
+  command_case(curve-analogy/synthesize-does-not-go-with${name}
+    RUN "curve-analogy --filtered styles/wavy.svg --synthesize 900 ${option}" EXIT 2
+    STDERR "curve-analogy: --synthesize does not go with ${option_name}; see curve-analogy --help")
+endforeach()
+
+# Drawings and examples of every kind: a result, or what to change. The line is 300 px long.
+function(odd_example_case name data)
+  cmake_parse_arguments(PARSE_ARGV 2 CASE "" "OPTIONS;STDERR;EXIT" "")
+  command_case(curve-analogy/an-example-of-${name}
+    RUN "printf '%s\n' '{\"curves\":1}' '{\"type\":\"path\",\"d\":\"${data}\"}' > $OUT/odd && printf '%s\n' '{\"curves\":1}' '{\"type\":\"path\",\"d\":\"M0 0 L300 0\"}' > $OUT/line && cd $OUT && curve-analogy ${CASE_OPTIONS} line -o drawn"
+    EXIT "${CASE_EXIT}" STDERR "${CASE_STDERR}")
+endfunction()
+foreach(data "M5 5" "M5 5 L5 5 L5 5" "")
+  string(MAKE_C_IDENTIFIER "no-length-${data}" name)
+  odd_example_case(${name} "${data}" OPTIONS "--filtered odd" EXIT 1
+    STDERR "curve-analogy: odd: the filtered example has no curve; draw one that shows the style")
+  odd_example_case(unfiltered-${name} "${data}" OPTIONS "--unfiltered odd --filtered line" EXIT 1
+    STDERR "curve-analogy: line: the unfiltered example has no curve; draw one for each filtered one, or leave it out")
+endforeach()
+odd_example_case(repeated-points "M5 5 L5 5 L50 9 L50 9 L50 9 L99 0 L99 0" OPTIONS "--filtered odd" EXIT 0)
+odd_example_case(repeated-points-by-shape "M5 5 L5 5 L50 9 L50 9 L50 9 L99 0 L99 0" OPTIONS "--filtered odd --shape-weight 2" EXIT 0)
+odd_example_case(one-straight-piece "M0 0 L10 0" OPTIONS "--filtered odd" EXIT 0)
+odd_example_case(less-than-a-window "M0 0 L1 0.5 L2 0" OPTIONS "--filtered odd" EXIT 0)
+odd_example_case(less-than-a-window-for-greedy "M0 0 L1 0.5 L2 0" OPTIONS "--filtered odd --method greedy" EXIT 0
+  STDERR "~curve-analogy: line:2: warning: is too long for its style, which draws lines of up to [0-9]+ px; it stays as it is")
+command_case(curve-analogy/an-example-of-less-than-a-neighborhood
+  RUN "curve-analogy --filtered styles/loops.svg --faithful --samples 300 drawings/plan.svg" EXIT 1
+  STDERR "curve-analogy: the style: an example is too short for the neighborhoods that are compared: give a longer one, fewer levels, or fewer samples of a neighborhood")
+odd_example_case(an-end-at-its-beginning "M5 5 L50 9 L5 5" OPTIONS "--filtered odd" EXIT 0)
+foreach(data "M5 5" "M5 5 L5 5 L5 5" "")
+  string(MAKE_C_IDENTIFIER "${data}" name)
+  command_case(curve-analogy/a-drawing-without-length-stays-${name}
+    RUN "printf '%s\n' '{\"curves\":1}' '{\"type\":\"path\",\"d\":\"${data}\"}' > $OUT/odd; for method in chain greedy; do curve-analogy --filtered styles/wavy.svg --method $method $OUT/odd | tail -n 1 | cmp - <(tail -n 1 $OUT/odd) || exit; done")
+endforeach()
+# A million points: a spiral as a drawing, a wave as an example.
+command_case(curve-analogy/a-drawing-of-a-million-points
+  RUN [[LC_ALL=C awk 'BEGIN { printf "{\"curves\":1}\n{\"type\":\"path\",\"d\":\"M"
+          for (i = 0; i < 1000000; ++i) printf "%s%.6g %.6g", i ? " L" : "", (9 + i / 4000) * cos(i / 5000), (9 + i / 4000) * sin(i / 5000)
+          print "\"}" }' | curve-analogy --filtered styles/wavy.svg | tail -n 1 | wc -c | awk '{ exit !($1 > 100000 && $1 < 3000000) }']])
+command_case(curve-analogy/an-example-of-a-million-points
+  RUN [[LC_ALL=C awk 'BEGIN { printf "{\"curves\":1}\n{\"type\":\"path\",\"d\":\"M"
+          for (i = 0; i < 1000000; ++i) printf "%s%.6g %.6g", i ? " L" : "", i / 500, 5 * sin(i / 1500)
+          print "\"}" }' > $OUT/odd; curve-analogy --filtered $OUT/odd drawings/plan.svg > $OUT/drawn]])
+
 command_case(curve-analogy/symbols-out-of-range
   RUN "curve-analogy --filtered styles/wavy.svg --method greedy --w-offset -1 drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: .*offset_weight is -1; give more than 0.*")
 command_case(curve-analogy/levels-are-whole
   RUN "curve-analogy --filtered styles/wavy.svg --method greedy --levels 2.5 drawings/plan.svg" EXIT 2
   STDERR "~curve-analogy: --levels is a whole number.*")
+
+# What came out.
+command_case(curve-analogy/explains-and-draws-the-same
+  RUN [[curve-analogy --filtered styles/wavy.svg --explain drawings/plan.svg 2> $OUT/said &&
+        test $(grep -cE '^  (example|scale|feature size|samples|states|tolerance|jumps|runs) ' $OUT/said) = 8 >&2]]
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg")
+command_case(curve-analogy/explains-a-style-once
+  RUN "curve-analogy --filtered styles/wavy.svg --explain drawings/plan.svg drawings/harbour.svg 2>&1 > $OUT/a | grep '^curve'"
+  SAME "echo curve-analogy: the style:")
+command_case(curve-analogy/explains-every-symbol-of-greedy
+  RUN "curve-analogy --filtered styles/wavy.svg --synthesize 200 --samples 300 --method greedy --kappa 3.25 --w-offset 7.5 --explain 2>&1 > $OUT/a | grep -o 'w_OFFSET 7.5;.*kappa 3.25;'"
+  SAME "echo 'w_OFFSET 7.5; w_delta 100; w_B 0; w_B'\\''(l-1) 2; kappa 3.25;'")
+command_case(curve-analogy/reports-each-variant-of-each-drawing
+  RUN "curve-analogy --filtered styles/wavy.svg --variants 2 --report $OUT/report -o $OUT/a drawings/plan.svg drawings/harbour.svg && grep -o '^{\"file\":.*\"variant\":[0-9]*' $OUT/report"
+  SAME [[for name in plan harbour; do for i in 1 2; do
+           printf '{"file":"drawings/%s.svg","line":null,"name":"%s-%d","variant":%d\n' $name $name $i $i; done; done]])
+command_case(curve-analogy/reports-the-same-on-any-number-of-threads
+  RUN "curve-analogy --filtered styles/loops.svg --style Sea=styles/wavy.svg --threads 1 --report - -o $OUT/a drawings/harbour.svg"
+  SAME "curve-analogy --filtered styles/loops.svg --style Sea=styles/wavy.svg --threads 3 --report - -o $OUT/a drawings/harbour.svg")
+command_case(curve-analogy/reports-a-style-that-holds
+  RUN [[curve-analogy --filtered styles/wavy.svg --report - -o $OUT/a drawings/plan.svg |
+          grep -o '"style":"[a-z ]*"\|"end-distance":[^,]*\|"kept":[^,]*']]
+  SAME [[printf '"style":"the style"\n"kept":0\n"end-distance":0\n']])
+command_case(curve-analogy/reports-new-lines
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 900 --report - -o $OUT/a | grep -o '\"curves\":1,\"kept\":0,\"length\":[0-9]*'"
+  SAME [[echo '"curves":1,"kept":0,"length":900']])
+command_case(curve-analogy/keeps-going
+  RUN "curve-analogy --filtered styles/wavy.svg --keep-going drawings/plan.svg broken/cut.curves drawings/none.svg drawings/harbour.svg | tail -n +2 | grep -v '^{\"curves' > $OUT/a; test \${PIPESTATUS[0]} = 1 && cat $OUT/a"
+  STDERR "~curve-analogy: broken/cut.curves:3: .*
+~curve-analogy: drawings/none.svg: .*"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg drawings/harbour.svg | tail -n +2 | grep -v '^{\"curves'")
+command_case(curve-analogy/keeps-going-with-nothing-writes-nothing
+  RUN "curve-analogy --filtered styles/wavy.svg --keep-going -o $OUT/a broken/cut.curves; test $? = 1 && test ! -e $OUT/a"
+  STDERR "~curve-analogy: broken/cut.curves:3: .*")
+
+command_case(curve-analogy/reports-every-frame
+  RUN "curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg --frames 2 --report - -o $OUT/a drawings/plan.svg | grep -o '\"name\":\"[^\"]*\",\"variant\":[0-9]*'"
+  SAME [[printf '"name":"%s","variant":%s\n' plan-1 1 plan-2 2]])
+
+# Styles that are kept.
+foreach(options
+    "--filtered styles/wavy.svg"
+    "--filtered styles/loops.svg --scale 0.7 --seed 18446744073709551615"
+    "--filtered styles/zigzag.svg --scale auto --mean-run 20 --loose-ends"
+    "--filtered styles/shaky.svg --invariance translate --feature-size 5 --smallest-scale 0.5"
+    "--filtered styles/sketchy.svg --method greedy --samples 300 --kappa 1.5 --levels 4"
+    "--unfiltered styles/grass-plain.svg --filtered styles/grass.svg --smoothing 1"
+    "--unfiltered pairs/corners-plain.svg --filtered pairs/corners.svg --shape-weight 2"
+    "--unfiltered styles/brush-plain.svg --filtered styles/brush.curves"
+    "--unfiltered styles/railway-plain.svg --filtered styles/railway.svg")
+  string(MAKE_C_IDENTIFIER "${options}" name)
+  command_case(curve-analogy/a-kept-style-draws-the-same-${name}
+    RUN "curve-analogy ${options} --save-style $OUT/a.style && curve-analogy --style-file $OUT/a.style drawings/plan.svg | tail -n +2"
+    SAME "curve-analogy ${options} drawings/plan.svg | tail -n +2")
+endforeach()
+command_case(curve-analogy/a-kept-style-is-kept-the-same
+  RUN "curve-analogy --unfiltered styles/grass-plain.svg --filtered styles/grass.svg --scale 2 --save-style $OUT/a && curve-analogy --style-file $OUT/a --save-style - | tail -n +2"
+  SAME "tail -n +2 $OUT/a")
+command_case(curve-analogy/a-kept-style-makes-the-same-lines
+  RUN "curve-analogy --filtered styles/coast.svg --seed 3 --save-style $OUT/a && curve-analogy --style-file $OUT/a --synthesize 900 | tail -n +2"
+  SAME "curve-analogy --filtered styles/coast.svg --seed 3 --synthesize 900 | tail -n +2")
+command_case(curve-analogy/a-kept-style-may-be-for-a-part
+  RUN "curve-analogy --unfiltered styles/grass-plain.svg --filtered styles/grass.svg --seed 5 --scale 3 --save-style $OUT/a && curve-analogy --style Sea=$OUT/a@0.5 drawings/harbour.svg | tail -n +2"
+  SAME "curve-analogy --style Sea=styles/grass-plain.svg:styles/grass.svg@0.5 --seed 5 drawings/harbour.svg | tail -n +2")
+command_case(curve-analogy/options-win-over-a-kept-style
+  RUN "curve-analogy --filtered styles/wavy.svg --seed 5 --mean-run 20 --faithful --save-style $OUT/a && curve-analogy --style-file $OUT/a --seed 1 --method chain drawings/plan.svg | tail -n +2"
+  SAME "curve-analogy --filtered styles/wavy.svg --mean-run 20 drawings/plan.svg | tail -n +2")
+command_case(curve-analogy/a-kept-style-says-what-it-is
+  RUN "curve-analogy --filtered styles/wavy.svg --scale 2 --save-style - | head -n 1 | grep -o '\"style\":1,.*\"--scale\":2'"
+  SAME [[echo '"style":1,"--seed":1,"--scale":2']])
+foreach(option "--style Sea=styles/wavy.svg" "--synthesize 900" "--variants 2" "--frames 2" "drawings/plan.svg")
+  string(MAKE_C_IDENTIFIER "${option}" name)
+  command_case(curve-analogy/keeping-a-style-is-all-that-is-done-${name}
+    RUN "curve-analogy --filtered styles/wavy.svg --save-style $OUT/a ${option}; test $? = 2 && test ! -e $OUT/a"
+    STDERR "~curve-analogy: --save-style does not go with .*; see curve-analogy --help")
+endforeach()
+command_case(curve-analogy/a-style-file-has-its-example
+  RUN "curve-analogy --style-file styles/wavy.svg --filtered styles/wavy.svg drawings/plan.svg" EXIT 2
+  STDERR "curve-analogy: --style-file has its example in it; leave out --filtered and --unfiltered; see curve-analogy --help")
+command_case(curve-analogy/a-drawing-is-no-style-file
+  RUN "curve-analogy --style-file styles/wavy.svg drawings/plan.svg" EXIT 1
+  STDERR "curve-analogy: styles/wavy.svg: is not a style; make one with --save-style")
+command_case(curve-analogy/a-style-file-is-no-example
+  RUN "curve-analogy --filtered styles/wavy.svg --save-style $OUT/a && cd $OUT && curve-analogy --filtered a" EXIT 1
+  STDERR "curve-analogy: a: is a style; give it as --style-file FILE")
+command_case(curve-analogy/a-style-file-has-its-unfiltered-curves
+  RUN "curve-analogy --filtered styles/wavy.svg --save-style $OUT/a && curve-analogy --style sea=styles/wavy-plain.svg:$OUT/a drawings/harbour.svg" EXIT 1
+  STDERR "~curve-analogy: .*/a: is a style, which has its unfiltered curves in it; leave out styles/wavy-plain.svg")
+foreach(case
+    [["--speed":3|"--speed" is no option that a style has]]
+    [["--output":"x"|"--output" is no option that a style has]]
+    [["--seed":-1|"--seed" must be a whole number, 0 or more]]
+    [["--seed":1.5|"--seed" must be a whole number, 0 or more]]
+    [["--samples":1e3|"--samples" must be a whole number, 0 or more]]
+    [["--samples":99999999999|"--samples" must be a whole number, 0 or more]]
+    [["--samples":3|the parameter samples is 3; give 100 to 20000]]
+    [["--mean-run":"8"|"--mean-run" must be a number]]
+    [["--mean-run":null|"--mean-run" must be a number]]
+    [["--loose-ends":1|"--loose-ends" must be true or false]]
+    [["--method":"fast"|"--method" must be "chain" or "greedy"]]
+    [["--method":7|"--method" must be "chain" or "greedy"]]
+    [["--scale":true|"--scale" must be a number or a text]]
+    [["--scale":"big"|--scale is a number or auto]])
+  string(REGEX REPLACE "\\|.*" "" setting "${case}")
+  string(REGEX REPLACE "^[^|]*\\|" "" message "${case}")
+  string(MAKE_C_IDENTIFIER "${setting}" name)
+  command_case(curve-analogy/a-style-file-with-${name}
+    RUN "printf '%s\n' '{\"curves\":1,\"style\":1,${setting}}' '{\"type\":\"path\",\"label\":\"filtered\",\"d\":\"M0 0 L50 9 L99 0\"}' > $OUT/a && cd $OUT && curve-analogy --style-file a ${PROJECT_SOURCE_DIR}/fixtures/drawings/plan.svg" EXIT 1
+    STDERR "curve-analogy: a:1: ${message}")
+endforeach()
+command_case(curve-analogy/a-broken-style-file
+  RUN [[printf '%s\n' '{"curves":1,"style":1}' '{"type":"path","label":"filtered","d":"M0 0 L50 9"}' '{"type":"path","label":"other","d":"M0 0 L50 9"}' > $OUT/a
+        cd $OUT && curve-analogy --style sea=a]] EXIT 1
+  STDERR "curve-analogy: a:3: a path of a style has the label \"filtered\", or \"unfiltered\" after one that has the label \"filtered\", or \"stroke\" after these two")
 
 command_case(curve-analogy/synthesize-reads-nothing
   RUN "curve-analogy --filtered styles/coast.svg --synthesize 2000 --seed 3 | grep -c '\"type\":\"path\"'" SAME "echo 1")
@@ -201,6 +371,14 @@ command_case(curve-analogy/synthesize-takes-no-input
 command_case(curve-analogy/synthesize-must-be-above-nought
   RUN "curve-analogy --filtered styles/loops.svg --synthesize 0" EXIT 2
   STDERR "curve-analogy: --synthesize must be above 0; see curve-analogy --help")
+command_case(curve-analogy/synthesize-by-the-search-of-the-paper
+  RUN [[curve-analogy --filtered styles/loops.svg --synthesize 400 --samples 300 --method greedy | grep path > $OUT/1
+        curve-analogy --filtered styles/loops.svg --synthesize 400 --samples 300 --faithful --levels 4 | grep path > $OUT/2
+        curve-analogy --filtered styles/loops.svg --synthesize 400 --samples 300 | grep path > $OUT/3
+        test $(cat $OUT/? | sort -u | wc -l) = 3]])
+command_case(curve-analogy/synthesize-by-search-has-variants
+  RUN "curve-analogy --filtered styles/loops.svg --synthesize 400 --samples 300 --method greedy --variants 3 | grep path | tail -n 1"
+  SAME "curve-analogy --filtered styles/loops.svg --synthesize 400 --samples 300 --method greedy --seed 3 | grep path")
 command_case(curve-analogy/synthesize-too-long
   RUN "curve-analogy --filtered styles/loops.svg --synthesize 1e12" EXIT 1
   STDERR "~curve-analogy: styles/loops.svg: the length of a curve to be made must be above 0 px and at most [0-9]+ px")

@@ -79,7 +79,7 @@ class GreedySearch::Implementation {
   SearchedCurve draw(const SampledCurve& target, std::span<const CurveConstraint> constraints,
                      std::uint64_t place, std::uint64_t variant) const;
   SearchedCurve synthesize(double length, std::span<const CurveConstraint> constraints,
-                           std::uint64_t place) const;
+                           std::uint64_t place, std::uint64_t variant) const;
   double finest_spacing() const { return finest_spacing_; }
   int levels() const { return levels_; }
 
@@ -224,12 +224,14 @@ SearchedCurve GreedySearch::Implementation::draw(const SampledCurve& target,
 
 SearchedCurve GreedySearch::Implementation::synthesize(double length,
                                                        std::span<const CurveConstraint> constraints,
-                                                       std::uint64_t place) const {
+                                                       std::uint64_t place,
+                                                       std::uint64_t variant) const {
   if (analogy_) throw Error("the examples have unfiltered curves; synthesis wants none");
   if (!(length > 0) || !std::isfinite(length)) {
     throw Error("the length of a curve to be made must be a positive number");
   }
   Run run = begin(constraints, place);
+  run.seed += variant;
   run.length = length * unit();
   if (run.length / kFinestSpacing > 1e7) throw Error("the curve to be made is too long");
   return finish(search(run), run);
@@ -347,8 +349,8 @@ SearchedCurve GreedySearch::draw(const SampledCurve& target,
 }
 
 SearchedCurve GreedySearch::synthesize(double length, std::span<const CurveConstraint> constraints,
-                                       std::uint64_t place) const {
-  return implementation_->synthesize(length, constraints, place);
+                                       std::uint64_t place, std::uint64_t variant) const {
+  return implementation_->synthesize(length, constraints, place, variant);
 }
 
 double GreedySearch::finest_spacing() const { return implementation_->finest_spacing(); }

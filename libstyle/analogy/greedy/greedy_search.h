@@ -80,9 +80,10 @@ class GreedySearch {
   SearchedCurve draw(const SampledCurve& target, std::span<const CurveConstraint> constraints = {},
                      std::uint64_t place = 0, std::uint64_t variant = 0) const;
 
-  // A new curve about `length` px long (> 0), t = 0 .. 1. The examples have no unfiltered curves.
+  // A new curve about `length` px long (> 0), t = 0 .. 1: as much shorter or longer as detail is
+  // lost or made from level to level. The examples have no unfiltered curves.
   SearchedCurve synthesize(double length, std::span<const CurveConstraint> constraints = {},
-                           std::uint64_t place = 0) const;
+                           std::uint64_t place = 0, std::uint64_t variant = 0) const;
 
   // What the parameters that were left to the example came out as.
   double finest_spacing() const;  // px

@@ -56,7 +56,7 @@ void LevelExample::add_places(std::size_t curve, const ExampleCurves& curves, do
   if (along_.back().total() < shortest) {
     throw Error(
         "an example is too short for the neighborhoods that are compared: give a longer "
-        "one, or fewer neighborhood_samples");
+        "one, fewer levels, or fewer samples of a neighborhood");
   }
   Neighborhood neighborhood(shape_.size());
   for (std::size_t i = 0; i < filtered.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "libstyle/base/error.h"
 #include "libstyle/base/parallel.h"
 #include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/gaussian.h"
 #include "libstyle/geometry/rigid_alignment.h"
 #include "libstyle/geometry/turning_statistics.h"
 #include "tests/support/curves.h"
@@ -97,6 +98,98 @@ TEST(CurveAnalogy, AnExampleThatChangesNothingGivesBackTheCurve) {
       const StyledCurve drawn = style.draw(curve, {});
       for (const Point p : drawn.curve.points) EXPECT_LT(distance_from(curve, p), 0.01);
       EXPECT_NEAR(arc_length(drawn.curve), arc_length(curve), 0.01 * arc_length(curve));
+    }
+  }
+}
+
+// ---- Shapes -----------------------------------------------------------------------------------
+
+// A square whose corners are drawn as points, the first of them where it closes.
+ExamplePair pointed_square() {
+  ExamplePair pair;
+  pair.unfiltered = with_length_parameter(polyline("0 0, 200 0, 200 200, 0 200 z"));
+  pair.filtered =
+      with_length_parameter(polyline("-8 -8, 12 0, 188 0, 208 -8, 200 12, 200 188, 208 208, 188 "
+                                     "200, 12 200, -8 208, 0 188, 0 12 z"));
+  return pair;
+}
+
+TEST(CurveAnalogy, AClosedExampleGoesOnWhereItCloses) {
+  const ExamplePair pair = pointed_square();
+  CurveAnalogyParameters parameters;
+  parameters.shape_weight = 2;
+  for (const Invariance invariance : {Invariance::kRotate, Invariance::kTranslate}) {
+    parameters.invariance = invariance;
+    const CurveAnalogy style({&pair, 1}, parameters);
+    // It begins and closes in the middle of a side.
+    const Polyline curve = polyline("150 0, 300 0, 300 300, 0 300, 0 0 z");
+    const Polyline drawn = style.draw(curve, {}).curve;
+    for (const Point corner : {Point{-8, -8}, {308, -8}, {308, 308}, {-8, 308}}) {
+      EXPECT_LT(distance_from(drawn, corner), 2) << corner.x << ' ' << corner.y;
+    }
+  }
+}
+
+// The sharpest turn within `reach` of a curve.
+double sharpest_turn(const Polyline& curve, double reach) {
+  const Polyline even = resample(with_length_parameter(curve), reach).polyline;
+  double sharpest = 0;
+  for (const double angle : turning_angles(even, 1)) sharpest = std::max(sharpest, std::abs(angle));
+  return sharpest;
+}
+
+TEST(CurveAnalogy, CornersAreAsRoundAsThoseOfTheExample) {
+  ExamplePair pair;
+  const Polyline zigzag = polyline("0 0, 100 80, 200 0, 300 80, 400 0, 500 80, 600 0");
+  pair.unfiltered = with_length_parameter(resample(with_length_parameter(zigzag), 0.5).polyline);
+  pair.filtered = pair.unfiltered.value();
+  pair.filtered.polyline = gaussian_blur(pair.filtered.polyline, 6);
+  pair.same_parameter = true;
+  CurveAnalogyParameters parameters;
+  parameters.shape_weight = 2;
+  parameters.feature_size = 12;
+  parameters.invariance = Invariance::kTranslate;
+  const CurveAnalogy style({&pair, 1}, parameters);
+  for (const double height : {50.0, 65.0, 80.0, 95.0, 110.0}) {
+    const Polyline line{{{0, 0}, {100, height}, {200, 0}, {300, height}, {400, 0}}, false};
+    const Polyline drawn = style.draw(line, {}).curve;
+    const double blurred =
+        sharpest_turn(gaussian_blur(resample(with_length_parameter(line), 0.5).polyline, 6), 2);
+    EXPECT_LT(sharpest_turn(drawn, 2), 1.5 * blurred) << height;
+  }
+}
+
+// Every state that a line is drawn from, in order.
+std::vector<std::size_t> states_of(const StyledCurve& drawn) {
+  std::vector<std::size_t> states;
+  for (const ChainRun& run : drawn.runs) {
+    for (std::size_t i = 0; i < run.steps; ++i) states.push_back(run.origin + i);
+  }
+  return states;
+}
+
+TEST(CurveAnalogy, TheEndsOfAnExampleBelongAtEnds) {
+  ExamplePair pair;
+  pair.unfiltered = with_length_parameter(polyline("0 0, 0 200, 200 200"));
+  pair.filtered = with_length_parameter(
+      polyline("-8 12, -12 2, -6 -4, 4 6, 2 190, 10 198, 190 196, 204 202, 206 212, 196 214"));
+  CurveAnalogyParameters parameters;
+  parameters.shape_weight = 2;
+  parameters.invariance = Invariance::kTranslate;  // so that most directions are not in it
+  const CurveAnalogy style({&pair, 1}, parameters);
+  const double feature = style.example().feature_along();
+  for (int turn = 0; turn < 12; ++turn) {
+    Polyline arc;
+    for (int i = 0; i <= 100; ++i) {
+      const double angle = std::numbers::pi * (turn / 6.0 + i / 75.0);
+      arc.points.push_back({300 * std::cos(angle), 300 * std::sin(angle)});
+    }
+    const std::vector<std::size_t> states = states_of(style.draw(arc, {}));
+    const double end = style.example().lines()[0].length();
+    const auto margin = static_cast<std::size_t>(2 * feature / style.example().step()) + 1;
+    for (std::size_t i = margin; i + margin < states.size(); ++i) {
+      const double length = style.example().length_of(states[i]) + style.example().step() / 2;
+      EXPECT_GT(std::min(length, end - length), 0.5 * feature) << turn << ", step " << i;
     }
   }
 }
@@ -676,6 +769,25 @@ TEST(CurveAnalogy, RefusesExamplesThatCannotServe) {
   pair.filtered = with_length_parameter(polyline("0 0, 1e200 9"));
   EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
   EXPECT_THROW(CurveAnalogy({}, {}), Error);
+}
+
+// ---- Values along closed examples ---------------------------------------------------------------
+
+TEST(ExampleLine, ValuesAlongAClosedExampleGoRound) {
+  ExamplePair pair{std::nullopt, with_length_parameter(circle({0, 0}, 40, 120))};
+  pair.features = {{"pressure", FeatureKind::kNumber}};
+  pair.filtered.channels.resize(1);
+  for (const double t : pair.filtered.t) pair.filtered.channels[0].push_back(t * (1 - t));
+  const Example example({&pair, 1}, {});
+  const ExampleLine& line = example.lines()[0];
+  ASSERT_TRUE(line.goes_round());
+  for (const double length : {1.0, 100.0, line.length() - 1}) {
+    for (const double turn : {-1.0, 1.0, 2.0}) {
+      EXPECT_NEAR(line.lane(0).features_at(length + turn * line.length())[0],
+                  line.lane(0).features_at(length)[0], 1e-9);
+    }
+  }
+  EXPECT_GT(line.lane(0).features_at(1.5 * line.length())[0], 0.2);
 }
 
 }  // namespace

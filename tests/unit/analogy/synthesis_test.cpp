@@ -13,6 +13,7 @@
 #include "libstyle/geometry/turning_statistics.h"
 #include "tests/support/curves.h"
 #include "tests/support/matchers.h"
+#include "tests/support/repetition.h"
 
 namespace libstyle {
 namespace {
@@ -171,20 +172,6 @@ struct Figures {
   double largest_repeat = 0;  // share of steps that are the same so many steps later, any number
   double mean_median = 0;     // of the runs, in 1/1200 of the example
 };
-
-double repetition(const std::vector<ChainRun>& runs) {
-  std::vector<std::size_t> states;
-  for (const ChainRun& run : runs) {
-    for (std::size_t k = 0; k < run.steps; ++k) states.push_back(run.origin + k);
-  }
-  double most = 0;
-  for (std::size_t lag = 8; lag < states.size() / 2; ++lag) {
-    double same = 0;
-    for (std::size_t i = 0; i + lag < states.size(); ++i) same += states[i] == states[i + lag];
-    most = std::max(most, same / static_cast<double>(states.size() - lag));
-  }
-  return most;
-}
 
 Figures measure(const Polyline& example) {
   const double length = arc_length(example);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "converters/common/report.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <simdjson.h>
+
+#include <cmath>
 
 namespace libstyle {
 namespace {
@@ -23,6 +25,26 @@ TEST(Report, OfNothingHasNoMessages) {
   EXPECT_EQ(Report().to_json("sample", 0),
             "{\"report\":1,\"program\":\"sample\",\"exit\":0,\"errors\":0,\"warnings\":0,"
             "\"messages\":[\n]}\n");
+}
+
+TEST(Report, HasListsBesideItsMessages) {
+  Report report;
+  report.add_to_list("drawings", JsonObject().text("name", "a\"b").number("scale", 0.5));
+  report.add_to_list("drawings",
+                     JsonObject().text_or_null("name", "").count("curves", 3).flag("open", true));
+  EXPECT_THAT(report.to_json("sample", 0), ::testing::EndsWith(R"("messages":[
+],"drawings":[
+{"name":"a\"b","scale":0.5},
+{"name":null,"curves":3,"open":true}
+]}
+)"));
+}
+
+TEST(JsonObject, NestsAndHasNullForWhatIsNot) {
+  const JsonObject inner = JsonObject().number("x", std::nan("")).line("line", 0);
+  const JsonObject items[] = {inner, JsonObject()};
+  EXPECT_EQ(JsonObject().object("a", inner).list("b", items).list("c", {}).to_json(),
+            R"({"a":{"x":null,"line":null},"b":[{"x":null,"line":null},{}],"c":[]})");
 }
 
 TEST(Report, IsJsonWhateverFilesAreCalled) {
