@@ -10,10 +10,12 @@
 #include "cli/curve_analogy/examples.h"
 #include "cli/curve_analogy/explain.h"
 #include "cli/curve_analogy/measures_report.h"
+#include "cli/curve_analogy/through_option.h"
 #include "converters/common/batch.h"
 #include "converters/common/files.h"
 #include "converters/svg/document_input.h"
 #include "libstyle/analogy/drawing.h"
+#include "libstyle/base/error.h"
 #include "libstyle/curves/writer.h"
 
 namespace libstyle {
@@ -49,7 +51,24 @@ std::vector<JsonObject> style_reports(const StylePlan& plan,
   return result;
 }
 
-void draw_variants(Drawing& drawing, StyleSet& styles, const Settings& settings,
+std::vector<AskedConstraint> read_constraints(const Settings& settings) {
+  std::vector<AskedConstraint> result;
+  for (const std::string& text : settings.through) result.push_back(parse_through_option(text));
+  return result;
+}
+
+// Errors of the library know a line as well.
+void draw_document(Document& document, const std::string& file, const StylePlan& plan,
+                   const DrawingOptions& options) {
+  try {
+    draw_again(document, plan, options);
+  } catch (const Error& error) {
+    throw Error({file, error.place().line}, error.message());
+  }
+}
+
+void draw_variants(Drawing& drawing, StyleSet& styles,
+                   const std::vector<AskedConstraint>& constraints, const Settings& settings,
                    const Session& session, const WarningHandler& warn) {
   const std::string file = display_name(drawing.taken.input);
   const Document document = to_document(std::move(drawing.taken), warn);
@@ -67,13 +86,14 @@ void draw_variants(Drawing& drawing, StyleSet& styles, const Settings& settings,
                          .warn = warn_in_file,
                          .walks = settings.frames ? &walks : nullptr,
                          .coherence = settings.coherence_of_frames(),
-                         .measures = session.has_report() ? &measures : nullptr};
+                         .measures = session.has_report() ? &measures : nullptr,
+                         .constraints = constraints};
   for (int i = 0; i < settings.document_count(); ++i) {
     Document variant = document;
     if (settings.is_numbered()) variant.header.name = variant_name(document.header.name, i + 1);
     variant.header.history.push_back(session.history());
     options.variant = static_cast<std::uint64_t>(i);
-    draw_again(variant, plan, options);
+    draw_document(variant, file, plan, options);
     write_document(drawing.curves, variant);
     options.warn = {};  // the first has said it
     if (!session.has_report()) continue;
@@ -89,6 +109,7 @@ void draw(const Settings& settings, Session& session) {
   // Checked before anything is read.
   settings.document_count();
   settings.coherence_of_frames();
+  const std::vector<AskedConstraint> constraints = read_constraints(settings);
   StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);
   DocumentInputs inputs(settings.inputs);
@@ -99,7 +120,7 @@ void draw(const Settings& settings, Session& session) {
                      {.read = [&](Drawing& drawing) { return inputs.take(drawing.taken); },
                       .work =
                           [&](Drawing& drawing, const WarningHandler& warn) {
-                            draw_variants(drawing, styles, settings, session, warn);
+                            draw_variants(drawing, styles, constraints, settings, session, warn);
                           },
                       .finish =
                           [&](Drawing& drawing) {

@@ -18,6 +18,7 @@ struct Settings {
   std::string unfiltered;
   std::string filtered;
   std::vector<std::string> styles;
+  std::vector<std::string> through;
   std::string style_file;
   std::string save_style;
   std::optional<double> variants, frames, frame_coherence;

@@ -123,6 +123,7 @@ void refuse_other_work(const Settings& settings) {
     if (given) throw UsageError(std::string("--save-style does not go with ") + option);
   };
   refuse(!settings.styles.empty(), "--style; give the example as --filtered FILE");
+  refuse(!settings.through.empty(), "--through");
   refuse(settings.synthesize.has_value(), "--synthesize; the style serves for both");
   for (const char* option : {"--variants", "--frames", "--coherence"}) {
     refuse(settings.is_given(option), option);

@@ -8,6 +8,7 @@
 #include "cli/curve_analogy/examples.h"
 #include "cli/curve_analogy/explain.h"
 #include "cli/curve_analogy/measures_report.h"
+#include "cli/curve_analogy/through_option.h"
 #include "converters/common/command.h"
 #include "converters/common/files.h"
 #include "libstyle/analogy/synthesis_document.h"
@@ -42,10 +43,19 @@ StyleMeasures measure(const SynthesizedCurve& drawn, const Document& document,
   return summarize({&measure, 1}, example);
 }
 
+std::vector<CurveConstraint> read_constraints(const Settings& settings) {
+  std::vector<CurveConstraint> result;
+  for (const std::string& text : settings.through) {
+    result.push_back(parse_through_option_of_new_line(text));
+  }
+  return result;
+}
+
 }  // namespace
 
 void synthesize(const Settings& settings, Session& session) {
   refuse_other_work(settings);
+  const std::vector<CurveConstraint> constraints = read_constraints(settings);
   const int variants = settings.document_count();
   const StyleSource source = read_style_source(settings, session);
   refuse_idle_symbols(settings, source.settings.is_greedy());
@@ -59,7 +69,7 @@ void synthesize(const Settings& settings, Session& session) {
     }
     for (int i = 0; i < variants; ++i) {
       const auto variant = static_cast<std::uint64_t>(i);
-      const SynthesizedCurve drawn = style.draw(*settings.synthesize, 0, variant);
+      const SynthesizedCurve drawn = style.draw(*settings.synthesize, 0, variant, constraints);
       Document document = synthesized_document(style, drawn, source.filtered);
       document.header.history = {session.history()};
       if (settings.variants) document.header.name = variant_name(document.header.name, i + 1);

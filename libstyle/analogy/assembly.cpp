@@ -29,7 +29,11 @@ struct Ground {
   double steps() const { return static_cast<double>(grid.steps()); }
   bool is_beyond(double x) const { return line.closed() && x >= steps(); }
   double in_range(double x) const { return is_beyond(x) ? x - steps() : x; }
-  double length_at(double x) const { return grid.length_at(in_range(x)); }
+  double length_at(double x) const {
+    const bool is_end = !line.closed() && x >= steps();
+    return is_end ? line.length() : grid.length_at(in_range(x));
+  }
+  Point place_at(double x) const { return line.point_at(length_at(x)); }
 
   Vector to_page(Vector offset, double x) const {
     return grid.scale_at(in_range(x)) * libstyle::to_page(offset, line.frame_at(length_at(x)));
@@ -74,28 +78,30 @@ void round_corners(std::vector<Vector>& offsets, const Ground& ground, std::span
 }
 
 // The sample coordinates with the held ones among them, bit for bit.
-std::vector<double> with_held(const std::vector<double>& xs, std::span<const double> held) {
+std::vector<double> with_held(const std::vector<double>& xs, std::span<const HeldPlace> held) {
   std::vector<double> result;
   auto next = held.begin();
   for (const double x : xs) {
-    while (next != held.end() && *next < x - kSamePlace) result.push_back(*next++);
-    const bool same = next != held.end() && *next <= x + kSamePlace;
-    result.push_back(same ? *next++ : x);
+    while (next != held.end() && next->x < x - kSamePlace) result.push_back(next++->x);
+    const bool same = next != held.end() && next->x <= x + kSamePlace;
+    result.push_back(same ? next++->x : x);
   }
-  result.insert(result.end(), next, held.end());
+  while (next != held.end()) result.push_back(next++->x);
   return result;
 }
 
 // A closed line feels what is held also from the other side of its seam.
-void hold(std::vector<Vector>& offsets, std::span<const double> xs, std::span<const double> held,
-          double width, std::optional<double> period) {
+void hold(std::vector<Vector>& offsets, std::span<const double> xs, const Ground& ground,
+          std::span<const HeldPlace> held, double width, std::optional<double> period) {
   std::vector<WarpTarget> targets;
-  for (const double x : held) {
+  for (const auto& [x, position] : held) {
     const auto i = static_cast<std::size_t>(std::ranges::lower_bound(xs, x) - xs.begin());
-    targets.push_back({x, -offsets[i]});
+    Vector move = -offsets[i];
+    if (position) move += *position - ground.place_at(x);
+    targets.push_back({x, move});
     if (!period) continue;
-    targets.push_back({x - *period, -offsets[i]});
-    targets.push_back({x + *period, -offsets[i]});
+    targets.push_back({x - *period, move});
+    targets.push_back({x + *period, move});
   }
   const Warp warp(targets, width);
   for (std::size_t i = 0; i < xs.size(); ++i) offsets[i] += warp.at(xs[i]);
@@ -118,26 +124,26 @@ std::vector<std::vector<double>> copied_features(const Example& example, const G
   return result;
 }
 
-// A stroke through the coordinates, moved to the line at the held ones.
+// A stroke through the coordinates, moved to the held places.
 DrawnLine draw_stroke(const Example& example, const Ground& ground, std::vector<double> xs,
-                      std::span<const double> held) {
+                      std::span<const HeldPlace> held) {
   const double feature = example.feature_along() / example.step();
-  const Sweep& line = ground.line;
   xs = with_held(xs, held);
   std::vector<Vector> offsets = stitched_offsets(ground, xs, kStitchReach * feature);
   round_corners(offsets, ground, xs);
   std::optional<double> period;
   if (ground.closed) period = ground.steps();
-  hold(offsets, xs, held, kWarpWidth * feature, period);
+  hold(offsets, xs, ground, held, kWarpWidth * feature, period);
 
   DrawnLine drawn{{{}, ground.closed}, {}, copied_features(example, ground, xs)};
   for (std::size_t i = 0; i < xs.size(); ++i) {
-    const bool is_held = std::ranges::binary_search(held, xs[i]);
-    const bool is_end = !line.closed() && xs[i] >= ground.steps();
-    const double length = is_end ? line.length() : ground.length_at(xs[i]);
-    drawn.lengths.push_back(length + (ground.is_beyond(xs[i]) ? line.length() : 0));
-    const Point place = line.point_at(length);
-    drawn.curve.points.push_back(is_held ? place : place + offsets[i]);
+    const double seam = ground.is_beyond(xs[i]) ? ground.line.length() : 0;
+    drawn.lengths.push_back(ground.length_at(xs[i]) + seam);
+    const Point place = ground.place_at(xs[i]);
+    const auto at = std::ranges::lower_bound(held, xs[i], {}, &HeldPlace::x);
+    const bool is_held = at != held.end() && at->x == xs[i];
+    drawn.curve.points.push_back(is_held ? at->position.value_or(place) : place + offsets[i]);
+    if (is_held && at->position) drawn.pinned.push_back(i);
   }
   return drawn;
 }
@@ -171,34 +177,36 @@ std::vector<double> coordinates_on(const Lane::Stroke& stroke, std::span<const d
 struct LaneStroke {
   Ground ground;
   std::vector<double> xs;
-  std::vector<double> held;
+  std::vector<HeldPlace> held;
 };
 
-// The stroke that passes nearest to where the line is held has to pass there exactly.
-void hold_nearest(std::span<LaneStroke> strokes, double x) {
+// The stroke that passes nearest to a place has to pass it exactly.
+void hold_nearest(std::span<LaneStroke> strokes, const HeldPlace& place) {
   LaneStroke* nearest = nullptr;
-  double least = 0, place = 0;
+  double least = 0, x = 0;
   for (LaneStroke& stroke : strokes) {
     for (const double turn : {0.0, stroke.ground.steps()}) {
-      const double own = x + turn;
+      const double own = place.x + turn;
       if (own < stroke.xs.front() - kSamePlace || own > stroke.xs.back() + kSamePlace) continue;
       if (turn > 0 && !stroke.ground.line.closed()) continue;
       const Ground& ground = stroke.ground;
       const Vector offset = ground.offset_at(ground.runs.blend_at(own, ground.lane), own);
-      const double off = squared_norm(ground.to_page(offset, own) + ground.rounding_at(own));
+      Vector miss = ground.to_page(offset, own) + ground.rounding_at(own);
+      if (place.position) miss -= *place.position - ground.place_at(own);
+      const double off = squared_norm(miss);
       if (nearest && off >= least) continue;
       nearest = &stroke;
       least = off;
-      place = own;
+      x = own;
     }
   }
-  if (nearest) nearest->held.push_back(place);
+  if (nearest) nearest->held.push_back({x, place.position});
 }
 
 }  // namespace
 
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
-                    std::span<const ChainState> walk, std::span<const double> held) {
+                    std::span<const ChainState> walk, std::span<const HeldPlace> held) {
   const PlacedRuns runs(example, find_runs(example, walk), grid.steps(), line.closed());
   const Ground ground{line, grid, runs, 0, line.closed()};
   std::vector<double> xs = runs.sample_coordinates(ground.steps());
@@ -208,7 +216,7 @@ DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& 
 
 std::vector<DrawnLine> draw_strokes(const Example& example, const Sweep& line,
                                     const StyleGrid& grid, std::span<const ChainState> walk,
-                                    std::span<const double> held) {
+                                    std::span<const HeldPlace> held) {
   const PlacedRuns runs(example, find_runs(example, walk), grid.steps(), line.closed());
   const double feature = example.feature_along() / example.step();
   std::vector<LaneStroke> strokes;
@@ -222,10 +230,10 @@ std::vector<DrawnLine> draw_strokes(const Example& example, const Sweep& line,
       strokes.push_back({ground, std::move(xs), {}});
     }
   }
-  for (const double x : held) hold_nearest(strokes, x);
+  for (const HeldPlace& place : held) hold_nearest(strokes, place);
   std::vector<DrawnLine> result;
   for (LaneStroke& stroke : strokes) {
-    std::ranges::sort(stroke.held);
+    std::ranges::sort(stroke.held, {}, &HeldPlace::x);
     result.push_back(draw_stroke(example, stroke.ground, std::move(stroke.xs), stroke.held));
   }
   return result;

@@ -18,6 +18,11 @@
 //
 // Symbols: A unfiltered, A' filtered, B line, B' drawn line, w_B shape_weight.
 //
+// Constraints (section 3.2). A hard one has the line bend towards it by what is beyond the style's
+// own reach (bent_line.h), the walk pass near it, and the drawn line moved through it (assembly.h).
+// A soft one becomes a hard one at the place that it and the line, drawn without it, agree on
+// (soft_constraints.h).
+//
 // Departures. The paper searches for each sample of B' the best match among the samples of A',
 // coarse to fine. Done literally, fine detail does not come back and corners knot; a chain over
 // positions of A' assigns the whole curve at once, which the greedy search only approximates, and
@@ -32,7 +37,8 @@
 //
 // Guarantees: the same seed gives the same result, on any number of threads; moving or turning A,
 // A' and B together does the same to B' (turning: under Invariance::kRotate); A' = A gives back B;
-// open lines keep their end points exactly, outlines their corners. Cost: preparing O(n^2) in the
+// open lines keep their end points exactly, outlines their corners; hard constraints are met
+// exactly, soft ones the nearer the heavier they are. Cost: preparing O(n^2) in the
 // states (at most 2048), drawing O(length of B / F) times O(states).
 //
 //   const CurveAnalogy style(pairs, parameters);
@@ -46,6 +52,7 @@
 #include <vector>
 
 #include "libstyle/analogy/assembly.h"
+#include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/style_summary.h"
@@ -61,8 +68,11 @@ struct StyledCurve {
   // Where the style draws a line as several strokes, `strokes` has them, in the order of the lines,
   // and this is B itself.
   Polyline curve;
-  std::vector<double> lengths;                // along B, for each point; never falling
-  std::vector<std::size_t> corners;           // points that are corners of B
+  std::vector<double> lengths;       // along B, for each point; never falling
+  std::vector<std::size_t> corners;  // points that are corners of B
+  // Points that lie exactly where constraints want them, rising, but for corners and ends, which
+  // may as well.
+  std::vector<std::size_t> pinned;
   std::vector<std::vector<double>> features;  // for each feature of the example and each point
   std::vector<DrawnLine> strokes;
   std::vector<ChainRun> runs;  // of all lines one after the other
@@ -82,9 +92,12 @@ struct CurveTask {
   std::span<const double> held = {};
   // Added to the seed.
   std::uint64_t variant = 0;
+  // Places that the curve passes exactly or is drawn towards, whatever keep_ends says. On a place
+  // that is held, and on ends and corners, they come first. Of several strokes the nearest passes.
+  std::span<const CurveConstraint> constraints = {};
   // The walks of the frame before, if the curve is to change from that one instead of being drawn
   // independently, and how much of them stays on average: 1 all, 0 nothing. Not where the walk is
-  // not at random.
+  // not at random. The first frame is variant 0; what soft constraints come to there stays.
   const LineWalks* before = nullptr;
   double coherence = 0;
 };
@@ -98,7 +111,9 @@ class CurveAnalogy {
   CurveAnalogy& operator=(CurveAnalogy&&) noexcept;
 
   // Draws one curve. Curves without length, too small for the style at its smallest, or longer than
-  // longest_curve() come back as they are. Safe to call from several threads.
+  // longest_curve() come back as they are; those too small for the style are bent to constraints.
+  // Throws Error when a constraint is out of range or as far away as a curve may be long, or when
+  // hard ones contradict each other. Safe to call from several threads.
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
 
   // A million steps of the example, or 65,536 spacings of the search: more would take hours, and

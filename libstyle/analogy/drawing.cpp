@@ -104,8 +104,8 @@ class StyledFeatures {
     }
   }
 
-  // The last subpath, not drawn: it keeps its own values, which are the last ones of `along`, or
-  // gets those of the style.
+  // The last subpath, not drawn, or only bent: it keeps its own values, which are the last ones of
+  // `along`, or gets those of the style.
   void append_kept(const AlongValues& along, const StyledCurve& kept, std::size_t vertices) {
     for (std::size_t i = 0; i < features_.size(); ++i) {
       const std::vector<double> own = feature_values(along, features_[i]);
@@ -166,6 +166,7 @@ std::vector<SmoothCurve> smooth_strokes(const StyledCurve& drawn, double length,
     single.curve = stroke.curve;
     single.lengths = stroke.lengths;
     single.features = stroke.features;
+    single.pinned = stroke.pinned;
     result.push_back(smooth_curve(single, length, tolerances));
   }
   return result;
@@ -226,7 +227,8 @@ Path joined(std::span<const SmoothCurve> strokes) {
 
 // What is wanted of one path, and of how it was drawn in the frame before.
 struct PathTask {
-  CurveTask first;                          // of the first subpath, but for what is held
+  CurveTask first;  // of the first subpath, but for the places that it passes
+  const PathConstraints& constraints;
   std::vector<LineWalks>* walks = nullptr;  // one for each subpath; null if there are no frames
   bool is_measured = false;
 };
@@ -248,21 +250,23 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
     CurveTask task = path_task.first;
     task.place += i;
     task.held = flat.held[i];
+    task.constraints = path_task.constraints[i];
     if (path_task.walks) task.before = &(*path_task.walks)[i];
     StyledCurve drawn = style.draw(flats[i].polyline, task);
     if (path_task.walks) (*path_task.walks)[i] = std::move(drawn.walks);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
     const FitTolerances tolerances =
         fit_tolerances(style.example(), std::max(drawn.mean_scale, 0.05));
-    const bool stays = drawn.runs.empty();
+    const bool is_styled = !drawn.runs.empty();
+    const bool stays = !is_styled && (task.constraints.empty() || drawn.too_long || length == 0);
     const std::vector<SmoothCurve> fresh =
         stays ? std::vector{kept(old[i], flats[i])} : smooth_strokes(drawn, length, tolerances);
     for (const SmoothCurve& stroke : fresh) {
       append_values(along, record.along, flats[i], stroke.lengths);
-      if (stays) {
-        features.append_kept(along, drawn, stroke.lengths.size());
-      } else {
+      if (is_styled) {
         features.append(stroke);
+      } else {
+        features.append_kept(along, drawn, stroke.lengths.size());
       }
     }
     const Path written = joined(fresh);
@@ -272,7 +276,7 @@ PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalo
       curve.vertices_before = vertex_count(old, i, record.path);
       measure.curves.push_back(std::move(curve));
     }
-    any_drawn = any_drawn || !stays;
+    any_drawn = any_drawn || is_styled;
     measure.length += length;
     measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
@@ -378,6 +382,19 @@ std::vector<FlatPath> flatten_paths(std::span<const StyledPath> paths, const Cur
   return result;
 }
 
+std::vector<PathConstraints> find_constraints(const Document& document,
+                                              std::span<const StyledPath> paths,
+                                              std::span<const std::size_t> places,
+                                              std::span<const FlatPath> flat,
+                                              const DrawingOptions& options) {
+  std::vector<ConstrainablePath> constrainable;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    constrainable.push_back({paths[i].record, {}, places[i]});
+    if (paths[i].analogy) constrainable.back().subpaths = flat[i].subpaths;
+  }
+  return place_constraints(document, options.constraints, constrainable, options.warn);
+}
+
 void warn_if_long(std::span<const StyledPath> paths, std::span<const PathMeasure> measures,
                   const WarningHandler& warn) {
   for (std::size_t i = 0; warn && i < paths.size(); ++i) {
@@ -426,11 +443,13 @@ void summarize_styles(std::span<const StyledPath> paths, std::span<PathMeasure> 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
   if (options.measures) options.measures->assign(plan.styles.size(), {});
   std::vector<StyledPath> paths = styled_paths(document, plan);
-  const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
-  if (any == paths.end()) return;
   const std::vector<std::size_t> places = first_equals(paths);
-  const std::vector<FlatPath> flat = flatten_paths(paths, *any->analogy);
+  const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
+  std::vector<FlatPath> flat(paths.size());
+  if (any != paths.end()) flat = flatten_paths(paths, *any->analogy);
   for (StyledPath& path : paths) part_area_from_line(path);
+  const std::vector<PathConstraints> constraints =
+      find_constraints(document, paths, places, flat, options);
   if (options.walks) options.walks->resize(paths.size());
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
@@ -444,8 +463,10 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
       const PathTask task{{.place = place << 24,
                            .held = {},
                            .variant = options.variant,
+                           .constraints = {},
                            .before = nullptr,
                            .coherence = options.coherence},
+                          constraints[i],
                           options.walks ? &(*options.walks)[i] : nullptr,
                           options.measures != nullptr};
       if (task.walks) task.walks->resize(own.subpaths.size());

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "libstyle/analogy/curve_analogy.h"
+#include "libstyle/analogy/drawing_constraints.h"
 #include "libstyle/analogy/drawing_measures.h"
 #include "libstyle/base/progress.h"
 #include "libstyle/base/warning.h"
@@ -31,6 +33,8 @@ struct DrawingOptions {
   // Where the measures of each style of the plan go, if they are wanted. Of styles that nothing is
   // drawn in they are left empty.
   std::vector<StyleMeasures>* measures = nullptr;
+  // Besides the constraint records of the drawing, which always count.
+  std::span<const AskedConstraint> constraints = {};
 };
 
 // What the parts of a drawing are drawn in.
@@ -63,8 +67,13 @@ struct StylePlan {
 // shape then, and its line becomes a record of its own, in front of it or behind as it was painted;
 // what is filled and has no line stays as it is.
 //
-// Warns of curves that are too long for their style, and of each style when most of its lines had
-// to be drawn with it at less than half its size.
+// Paths pass through their hard constraints exactly and near the soft ones (curve_analogy.h,
+// drawing_constraints.h). Lines that met one at an end which a constraint moves stay where they
+// are.
+//
+// Warns of curves that are too long for their style, of each style when most of its lines had to be
+// drawn with it at less than half its size, and of `options.constraints` without effect. Throws
+// Error when constraints contradict each other.
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options);
 
 // All of it in one style.

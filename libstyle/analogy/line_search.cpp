@@ -39,20 +39,16 @@ SampledCurve scaled(SampledCurve curve, double factor) {
   return curve;
 }
 
-// Hard constraints for the line to be where it is; what all but is an end is the end.
-std::vector<CurveConstraint> held_places(const ArcLength& along, std::span<const double> held) {
-  const Polyline& line = along.polyline();
+// What all but is an end is the end.
+std::vector<CurveConstraint> curve_constraints(const ArcLength& along,
+                                               std::span<const LineConstraint> constraints) {
   std::vector<CurveConstraint> result;
-  for (const double length : held) {
-    const double t = length / along.total();
-    if (t < kAllButAnEnd) {
-      result.push_back({0, line.points.front(), {}});
-    } else if (t > 1 - kAllButAnEnd) {
-      result.push_back(line.closed ? CurveConstraint{0, line.points.front(), {}}
-                                   : CurveConstraint{1, line.points.back(), {}});
-    } else {
-      result.push_back({t, along.point_at(length), {}});
-    }
+  for (const LineConstraint& constraint : constraints) {
+    double t = constraint.length / along.total();
+    if (t < kAllButAnEnd) t = 0;
+    if (t > 1 - kAllButAnEnd) t = along.polyline().closed ? 0 : 1;
+    const Point own = along.point_at(t == 0 ? 0 : t == 1 ? along.total() : constraint.length);
+    result.push_back({t, constraint.position.value_or(own), constraint.weight});
   }
   return result;
 }
@@ -136,22 +132,28 @@ LineSearch::LineSearch(const Example& example, const CurveAnalogyParameters& par
       search_(search_examples(example), parameters_) {}
 
 LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
-                                    std::span<const double> held, std::uint64_t place,
-                                    std::uint64_t variant) const {
+                                    std::span<const LineConstraint> constraints,
+                                    std::uint64_t place, std::uint64_t variant) const {
   const ArcLength along(line);
-  std::vector<CurveConstraint> constraints = held_places(along, held);
-  for (CurveConstraint& constraint : constraints) constraint.position *= 1 / scale;
+  const std::vector<CurveConstraint> given = curve_constraints(along, constraints);
+  std::vector<CurveConstraint> to_scale = given;
+  for (CurveConstraint& constraint : to_scale) {
+    constraint.position *= 1 / scale;
+    if (constraint.weight) *constraint.weight *= scale * scale;
+  }
   const SearchedCurve drawn =
-      search_.draw(scaled(with_length_parameter(line), 1 / scale), constraints, place, variant);
+      search_.draw(scaled(with_length_parameter(line), 1 / scale), to_scale, place, variant);
 
   Result result{{scaled(drawn.curve, scale).polyline, {}, copied_features(example_, drawn, scale)},
                 find_runs(example_, drawn)};
   for (const double t : drawn.curve.t) result.line.lengths.push_back(t * along.total());
-  // Scaling there and back rounds.
-  for (const CurveConstraint& constraint : held_places(along, held)) {
-    const auto at = std::ranges::lower_bound(drawn.curve.t, constraint.t);
-    result.line.curve.points[static_cast<std::size_t>(at - drawn.curve.t.begin())] =
-        constraint.position;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i].weight) continue;
+    const auto at = std::ranges::lower_bound(drawn.curve.t, given[i].t);
+    const auto point = static_cast<std::size_t>(at - drawn.curve.t.begin());
+    // Scaling there and back rounds.
+    result.line.curve.points[point] = given[i].position;
+    if (constraints[i].position) result.line.pinned.push_back(point);
   }
   return result;
 }

@@ -10,6 +10,7 @@
 #include "libstyle/analogy/assembly.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/greedy/greedy_search.h"
+#include "libstyle/analogy/line_constraints.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/style_summary.h"
 
@@ -41,10 +42,10 @@ class LineSearch {
     std::vector<ChainRun> runs;  // in the steps of the example, on the example and on the line
   };
 
-  // `scale` is the size of the style on this line. At the lengths `held`, rising, the line keeps
-  // its place exactly: hard constraints. `place` is below 2^48. `variant` is added to the seed.
-  Result draw(const Polyline& line, double scale, std::span<const double> held, std::uint64_t place,
-              std::uint64_t variant) const;
+  // `scale` is the size of the style on this line. `constraints` by rising length, no two at the
+  // same place. `place` is below 2^48. `variant` is added to the seed.
+  Result draw(const Polyline& line, double scale, std::span<const LineConstraint> constraints,
+              std::uint64_t place, std::uint64_t variant) const;
 
   double longest_line() const { return longest_curve(search_); }
   StyleSummary::Search summary() const { return summarize(search_, parameters_); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "libstyle/analogy/smooth_curve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -20,24 +21,27 @@ Point on_grid(Point p) {
 }
 
 // Appends a fitted path without its first move, if it continues what is there, and with all points
-// but the ends on the grid.
-void append_fit(SmoothCurve& result, const Path& fitted) {
-  std::size_t next = 0;
-  const std::span<const Point> points = fitted.points();
-  const auto take = [&] {
+// but the ends and the points `exact` on the grid.
+void append_fit(SmoothCurve& result, const CubicFit& fit, std::span<const std::size_t> exact) {
+  std::size_t next = 0, vertex = 0;
+  const std::span<const Point> points = fit.path.points();
+  const auto take_control = [&] { return on_grid(points[next++]); };
+  const auto take_vertex = [&] {
     const bool end = next == 0 || next + 1 == points.size();
+    const bool is_exact = end || std::ranges::binary_search(exact, fit.points[vertex]);
+    ++vertex;
     const Point p = points[next++];
-    return end ? p : on_grid(p);
+    return is_exact ? p : on_grid(p);
   };
-  for (const PathCommand command : fitted.commands()) {
+  for (const PathCommand command : fit.path.commands()) {
     if (command == PathCommand::kMove) {
-      const Point start = take();
+      const Point start = take_vertex();
       if (result.path.empty()) result.path.move_to(start);
     } else if (command == PathCommand::kLine) {
-      result.path.line_to(take());
+      result.path.line_to(take_vertex());
     } else if (command == PathCommand::kCubic) {
-      const Point control1 = take(), control2 = take();
-      result.path.cubic_to(control1, control2, take());
+      const Point control1 = take_control(), control2 = take_control();
+      result.path.cubic_to(control1, control2, take_vertex());
     } else {
       result.path.close();
     }
@@ -65,8 +69,8 @@ Stretch stretch(const StyledCurve& drawn, std::size_t first, std::size_t last) {
 }
 
 CubicFit fit(const Polyline& curve, std::span<const std::vector<double>> features,
-             const FitTolerances& tolerances) {
-  return with_feature_vertices(fit_cubics(curve, {.tolerance = tolerances.distance}), curve,
+             const FitTolerances& tolerances, std::span<const std::size_t> pinned) {
+  return with_feature_vertices(fit_cubics(curve, {.tolerance = tolerances.distance}, pinned), curve,
                                features, tolerances.features);
 }
 
@@ -75,6 +79,17 @@ void append_features(SmoothCurve& result, const StyledCurve& drawn, std::size_t 
   for (std::size_t i = 0; i < drawn.features.size(); ++i) {
     result.features[i].push_back(drawn.features[i][point]);
   }
+}
+
+// The points that the fit of a stretch has to pass exactly, counted from its first.
+std::vector<std::size_t> pinned_on(const StyledCurve& drawn, std::size_t first, std::size_t last) {
+  std::vector<std::size_t> result;
+  for (const std::size_t turn : {std::size_t{0}, drawn.curve.points.size()}) {
+    for (const std::size_t i : drawn.pinned) {
+      if (i + turn >= first && i + turn <= last) result.push_back(i + turn - first);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -96,8 +111,8 @@ SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length,
   std::vector<std::size_t> breaks = drawn.corners;
   SmoothCurve result;
   if (closed && breaks.empty()) {
-    const CubicFit whole = fit(drawn.curve, drawn.features, tolerances);
-    append_fit(result, whole.path);
+    const CubicFit whole = fit(drawn.curve, drawn.features, tolerances, drawn.pinned);
+    append_fit(result, whole, drawn.pinned);
     for (const std::size_t i : whole.points) {
       result.lengths.push_back(drawn.lengths[i]);
       append_features(result, drawn, i);
@@ -108,8 +123,9 @@ SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length,
   breaks.push_back(closed ? breaks.front() + n : n - 1);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const auto [curve, features] = stretch(drawn, breaks[k], breaks[k + 1]);
-    const CubicFit part = fit(curve, features, tolerances);
-    append_fit(result, part.path);
+    const std::vector<std::size_t> pinned = pinned_on(drawn, breaks[k], breaks[k + 1]);
+    const CubicFit part = fit(curve, features, tolerances, pinned);
+    append_fit(result, part, pinned);
     for (std::size_t i = k == 0 ? 0 : 1; i < part.points.size(); ++i) {
       const std::size_t point = breaks[k] + part.points[i];
       result.lengths.push_back(drawn.lengths[point % n] + (point < n ? 0 : total_length));

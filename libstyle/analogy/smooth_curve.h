@@ -26,8 +26,9 @@ FitTolerances fit_tolerances(const Example& example, double scale);
 
 // Fits the curve within the tolerances. Corners of the plain curve, which is `total_length` long,
 // stay corners: what lies between them is fitted on its own. Points but the ends of these pieces
-// are rounded to 1/10000 px. There are more vertices than the shape needs where features, which
-// change linearly from vertex to vertex, need them.
+// are rounded to 1/10000 px, but for pinned ones, which the path has as vertices. There are more
+// vertices than the shape needs where features, which change linearly from vertex to vertex, need
+// them.
 SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length,
                          const FitTolerances& tolerances);
 

@@ -3,13 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "libstyle/analogy/feature_size.h"
 #include "libstyle/analogy/line_search.h"
+#include "libstyle/analogy/soft_constraints.h"
+#include "libstyle/analogy/walk_aim.h"
+#include "libstyle/analogy/warp.h"
 #include "libstyle/base/error.h"
+#include "libstyle/base/number.h"
 #include "libstyle/base/random.h"
 #include "libstyle/geometry/arc_length.h"
+#include "libstyle/geometry/rigid_alignment.h"
 #include "libstyle/geometry/sampled_curve.h"
 
 namespace libstyle {
@@ -119,19 +126,106 @@ std::vector<SearchExample> search_examples(const Example& example) {
   return result;
 }
 
+double value_at(std::span<const double> values, const PolylinePlace& place) {
+  return std::lerp(values[place.segment], values[place.segment + 1], place.fraction);
+}
+
 // The beginning of the curve, up to a length.
 void cut(SynthesizedCurve& drawn, double length) {
   const ArcLength along(drawn.curve);
   if (!(along.total() > length)) return;
-  const auto [segment, fraction] = along.place_at(length);
+  const PolylinePlace place = along.place_at(length);
   const Point last = along.point_at(length);
-  const bool ends_between = last != drawn.curve.points[segment];
-  drawn.curve.points.resize(segment + 1);
+  const bool ends_between = last != drawn.curve.points[place.segment];
+  drawn.curve.points.resize(place.segment + 1);
   if (ends_between) drawn.curve.points.push_back(last);
   for (std::vector<double>& values : drawn.features) {
-    const double end = std::lerp(values[segment], values[segment + 1], fraction);
-    values.resize(segment + 1);
+    const double end = value_at(values, place);
+    values.resize(place.segment + 1);
     if (ends_between) values.push_back(end);
+  }
+}
+
+// ---- Constraints --------------------------------------------------------------------------------
+
+constexpr double kSameShare = 1e-9;   // constraints nearer to each other than that are on one place
+constexpr std::uint64_t kTries = 16;  // walks that are drawn
+constexpr double kUnbent = 1e6;       // lengths of the curve: the bends between constraints only
+
+// A line cannot get farther than it is long.
+void refuse_distant(std::span<const CurveConstraint> constraints, double length) {
+  const CurveConstraint* last = nullptr;
+  for (const CurveConstraint& constraint : constraints) {
+    if (constraint.weight) continue;
+    if (last) {
+      const double apart = distance(last->position, constraint.position);
+      const double between = (constraint.t - last->t) * length;
+      if (apart > between * (1 + kSameShare)) {
+        std::string message = "two places to pass are ";
+        append_number(message, std::round(10 * apart) / 10);
+        message += " px apart, and only ";
+        append_number(message, std::round(10 * between) / 10);
+        message += " px of the line lie between them; make it longer";
+        throw Error(message);
+      }
+    }
+    last = &constraint;
+  }
+}
+
+std::vector<Vector> moves_between(const Polyline& curve, std::span<const CurveConstraint> pins) {
+  const ArcLength along(curve);
+  std::vector<Vector> moves;
+  for (std::size_t i = 0; i + 1 < pins.size(); ++i) {
+    moves.push_back(along.point_at(pins[i + 1].t * along.total()) -
+                    along.point_at(pins[i].t * along.total()));
+  }
+  return moves;
+}
+
+// Gives the curve points at these lengths along it, rising.
+void add_points(SynthesizedCurve& drawn, const ArcLength& along, std::span<const double> lengths) {
+  std::vector<Point> points;
+  std::vector<std::vector<double>> features(drawn.features.size());
+  auto next = lengths.begin();
+  const std::span<const double> own = along.cumulative();
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    for (; next != lengths.end() && *next <= own[i]; ++next) {
+      if (*next == own[i]) continue;
+      points.push_back(along.point_at(*next));
+      const PolylinePlace place = along.place_at(*next);
+      for (std::size_t f = 0; f < features.size(); ++f) {
+        features[f].push_back(value_at(drawn.features[f], place));
+      }
+    }
+    points.push_back(drawn.curve.points[i]);
+    for (std::size_t f = 0; f < features.size(); ++f) features[f].push_back(drawn.features[f][i]);
+  }
+  drawn.curve.points = std::move(points);
+  drawn.features = std::move(features);
+}
+
+void bend_through(SynthesizedCurve& drawn, std::span<const CurveConstraint> pins) {
+  if (pins.empty()) return;
+  drawn.is_placed = true;
+  std::vector<double> lengths;
+  std::vector<WarpTarget> targets;
+  const ArcLength before(drawn.curve);
+  for (const CurveConstraint& pin : pins) {
+    lengths.push_back(pin.t * before.total());
+    targets.push_back({lengths.back(), pin.position - before.point_at(lengths.back())});
+  }
+  add_points(drawn, before, lengths);
+  const std::vector<double> along = cumulative_lengths(drawn.curve);
+  const Warp warp(targets, kUnbent * before.total());
+  for (std::size_t i = 0; i < along.size(); ++i) drawn.curve.points[i] += warp.at(along[i]);
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    const auto after = std::ranges::lower_bound(along, lengths[k]);
+    auto i = static_cast<std::size_t>(after - along.begin());
+    // Lengths are summed anew and may differ in the last digit.
+    if (i == along.size() || (i > 0 && lengths[k] - along[i - 1] < along[i] - lengths[k])) --i;
+    drawn.curve.points[i] = pins[k].position;
+    drawn.pinned.push_back(i);
   }
 }
 
@@ -169,27 +263,53 @@ ChainVariety CurveSynthesis::variety() const {
   return {static_cast<std::size_t>(longest) + 1, kRepeatFactor};
 }
 
-SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place,
-                                      std::uint64_t variant) const {
+// What is asked for.
+struct CurveSynthesis::Task {
+  double length = 0;
+  RandomStream random;
+};
+
+SynthesizedCurve CurveSynthesis::draw(double length, std::uint64_t place, std::uint64_t variant,
+                                      std::span<const CurveConstraint> constraints) const {
   if (!(length > 0 && length <= longest_curve())) {
     throw Error("the length of a curve to be made must be above 0 px and at most " +
                 std::to_string(static_cast<long long>(longest_curve())) + " px");
   }
-  if (!search_) return walk(length, place, variant);
-  const SearchedCurve drawn = search_->synthesize(length, {}, place, variant);
+  if (search_) return search(length, place, variant, constraints);
+  const Task task{length, RandomStream(parameters_.seed + variant, place)};
+  if (constraints.empty()) return walk(task, 0, {});
+  const std::vector<CurveConstraint> distinct =
+      distinct_constraints(checked_constraints(constraints), kSameShare);
+  refuse_distant(distinct, length);
+  return draw_through(task, settled(task, distinct));
+}
+
+SynthesizedCurve CurveSynthesis::search(double length, std::uint64_t place, std::uint64_t variant,
+                                        std::span<const CurveConstraint> constraints) const {
+  refuse_distant(checked_constraints(constraints), length);
+  const SearchedCurve drawn = search_->synthesize(length, constraints, place, variant);
   SynthesizedCurve result{drawn.curve.polyline, copied_features(example_, drawn, 1),
                           find_runs(example_, drawn)};
+  result.is_placed = !constraints.empty();
+  for (const CurveConstraint& constraint : checked_constraints(constraints)) {
+    if (constraint.weight) continue;
+    const auto at = std::ranges::lower_bound(drawn.curve.t, constraint.t);
+    result.pinned.push_back(static_cast<std::size_t>(at - drawn.curve.t.begin()));
+  }
+  if (result.is_placed) return result;
   const Point start = result.curve.points.front();
   for (Point& p : result.curve.points) p -= start;
   return result;
 }
 
-SynthesizedCurve CurveSynthesis::walk(double length, std::uint64_t place,
-                                      std::uint64_t variant) const {
+SynthesizedCurve CurveSynthesis::walk(const Task& asked, std::uint64_t first_place,
+                                      const StepCosts& costs) const {
   ChainTask task;
-  task.steps = static_cast<std::size_t>(std::ceil(kSpareSteps * length / example_.step())) + 1;
-  const std::vector<ChainState> walk = sample_chain(
-      jumps_.chain, task, RandomStream(parameters_.seed + variant, place), 0, variety());
+  task.steps =
+      static_cast<std::size_t>(std::ceil(kSpareSteps * asked.length / example_.step())) + 1;
+  task.costs = costs;
+  const std::vector<ChainState> walk =
+      sample_chain(jumps_.chain, task, asked.random, first_place, variety());
 
   SynthesizedCurve result;
   result.runs = find_runs(example_, walk);
@@ -206,8 +326,92 @@ SynthesizedCurve CurveSynthesis::walk(double length, std::uint64_t place,
     result.curve.points.push_back(at);
     append_features(result, runs.features_at(runs.blend_at(xs[i + 1]), xs[i + 1]));
   }
-  cut(result, length);
+  cut(result, asked.length);
   return result;
+}
+
+// ---- Constraints --------------------------------------------------------------------------------
+
+// Soft constraints as hard ones. A free curve strays like a random walk of steps of one feature
+// size; with nothing to hold on to, it is first put where it fits best.
+std::vector<CurveConstraint> CurveSynthesis::settled(
+    const Task& task, std::vector<CurveConstraint> constraints) const {
+  std::vector<CurveConstraint> hard;
+  for (const CurveConstraint& constraint : constraints) {
+    if (!constraint.weight) hard.push_back(constraint);
+  }
+  if (hard.size() == constraints.size()) return constraints;
+
+  SynthesizedCurve drawn = draw_through(task, hard);
+  if (hard.empty()) put_in_place(drawn, constraints);
+  const ArcLength along(drawn.curve);
+  std::vector<Pull> pulls;
+  for (const CurveConstraint& c : constraints) {
+    Pull pull{c.t * task.length, {}, c.weight};
+    if (c.weight) pull.offset = c.position - along.point_at(c.t * along.total());
+    pulls.push_back(pull);
+  }
+  const double deviation = std::sqrt(example_.feature_size() * task.length);
+  const std::vector<Vector> offsets = yielding_offsets(pulls, {deviation, 2 * task.length});
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    if (!constraints[i].weight) continue;
+    constraints[i].position += offsets[i] - pulls[i].offset;
+    constraints[i].weight.reset();
+  }
+  return constraints;
+}
+
+// Of several walks the one that has to be bent least.
+SynthesizedCurve CurveSynthesis::draw_through(const Task& task,
+                                              std::span<const CurveConstraint> pins) const {
+  std::vector<WalkAim::Stretch> stretches;
+  for (std::size_t i = 0; i + 1 < pins.size(); ++i) {
+    const double steps = task.length / example_.step();
+    stretches.push_back(
+        {pins[i].t * steps, pins[i + 1].t * steps, pins[i + 1].position - pins[i].position});
+  }
+  const bool aimed = parameters_.invariance == Invariance::kTranslate;
+  WalkAim aim(example_, stretches);
+  SynthesizedCurve best;
+  double least = std::numeric_limits<double>::infinity();
+  const std::uint64_t tries = pins.size() > 1 ? kTries : 1;
+  for (std::uint64_t i = 0; i < tries; ++i) {
+    SynthesizedCurve drawn = walk(
+        task, i << 32, [&](std::size_t step, auto costs) { return aimed && aim.add(step, costs); });
+    put_in_place(drawn, pins);
+    const std::vector<Vector> moves = moves_between(drawn.curve, pins);
+    double bend = 0;
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+      const double share = pins[k + 1].t - pins[k].t;
+      bend += squared_norm(stretches[k].move - moves[k]) / share;
+    }
+    aim.correct(moves);
+    if (bend < least) {
+      least = bend;
+      best = std::move(drawn);
+    }
+  }
+  bend_through(best, pins);
+  return best;
+}
+
+// Pieces that keep their direction are only moved.
+void CurveSynthesis::put_in_place(SynthesizedCurve& drawn,
+                                  std::span<const CurveConstraint> constraints) const {
+  if (constraints.empty()) return;
+  const ArcLength along(drawn.curve);
+  std::vector<Point> places, wanted;
+  std::vector<double> weights;
+  for (const CurveConstraint& constraint : constraints) {
+    places.push_back(along.point_at(constraint.t * along.total()));
+    wanted.push_back(constraint.position);
+    weights.push_back(constraint.weight.value_or(1));
+  }
+  const RigidTransform move = (parameters_.invariance == Invariance::kRotate
+                                   ? align_rigidly(places, wanted, weights)
+                                   : align_by_translation(places, wanted, weights))
+                                  .target_from_source;
+  for (Point& p : drawn.curve.points) p = move(p);
 }
 
 }  // namespace libstyle

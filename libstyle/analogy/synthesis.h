@@ -15,8 +15,15 @@
 //     a jump the two fade into each other in their moves, so there is no seam
 //     to mend.                                                                  runs.h
 //
+// Under constraints (section 3.2) several walks are drawn, aimed at the places where pieces keep
+// their direction (walk_aim.h); of these the one that fits best is put where it fits best, turned
+// too under Invariance::kRotate, and bent evenly between the constraints. Beyond them, forward and
+// backward, it goes on as it was drawn. Soft constraints become hard ones at the places that they
+// and a curve drawn without them agree on (soft_constraints.h).
+//
 // Under AnalogyMethod::kGreedy the curve is made by the paper's own search instead
-// (greedy/greedy_search.h), which comes out up to a sixth shorter or longer than was asked for.
+// (greedy/greedy_search.h), which comes out up to a sixth shorter or longer than was asked for, and
+// weighs constraints itself.
 //
 // Departures. The paper grows the curve sample by sample; its literal search copies without end
 // where it finds an exact match, loops near the end of the example, and loses the fine levels
@@ -38,6 +45,8 @@
 #include <span>
 #include <vector>
 
+#include "libstyle/analogy/chain.h"
+#include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/greedy/greedy_search.h"
 #include "libstyle/analogy/jump_costs.h"
@@ -49,9 +58,11 @@
 namespace libstyle {
 
 struct SynthesizedCurve {
-  Polyline curve;                             // open; begins at the origin
+  Polyline curve;  // open; begins at the origin unless there are constraints
   std::vector<std::vector<double>> features;  // for each feature of the example and each point
   std::vector<ChainRun> runs;                 // what it was copied from
+  std::vector<std::size_t> pinned{};          // points where constraints want them exactly, rising
+  bool is_placed = false;                     // constraints say where it lies
 };
 
 class CurveSynthesis {
@@ -66,7 +77,13 @@ class CurveSynthesis {
   // A curve of this length, px of the drawing: > 0 and at most longest_curve(). `place` tells
   // curves of one seed apart, `variant` is added to the seed. Throws Error for other lengths. Safe
   // to call from several threads.
-  SynthesizedCurve draw(double length, std::uint64_t place, std::uint64_t variant = 0) const;
+  //
+  // `constraints` are places that it passes exactly, or is drawn towards; t is a fraction of its
+  // length before it is bent to them, so its own length is about what was asked for. Throws Error
+  // when one is out of range, when they contradict each other, and when hard ones are farther apart
+  // than the length between them.
+  SynthesizedCurve draw(double length, std::uint64_t place, std::uint64_t variant = 0,
+                        std::span<const CurveConstraint> constraints = {}) const;
 
   // As for analogies.
   double longest_curve() const;
@@ -75,7 +92,15 @@ class CurveSynthesis {
   StyleSummary summary() const;
 
  private:
-  SynthesizedCurve walk(double length, std::uint64_t place, std::uint64_t variant) const;
+  struct Task;
+
+  SynthesizedCurve search(double length, std::uint64_t place, std::uint64_t variant,
+                          std::span<const CurveConstraint> constraints) const;
+  SynthesizedCurve walk(const Task& task, std::uint64_t first_place, const StepCosts& costs) const;
+  SynthesizedCurve draw_through(const Task& task, std::span<const CurveConstraint> pins) const;
+  std::vector<CurveConstraint> settled(const Task& task,
+                                       std::vector<CurveConstraint> constraints) const;
+  void put_in_place(SynthesizedCurve& drawn, std::span<const CurveConstraint> constraints) const;
   ChainVariety variety() const;
 
   CurveAnalogyParameters asked_;

@@ -32,12 +32,18 @@ Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurv
   StyledCurve drawn;
   drawn.curve = made.curve;
   drawn.features = made.features;
+  drawn.pinned = made.pinned;
   Box box;
   for (const Point p : drawn.curve.points) box.include(p);
   PathRecord path = painted_like(example);
+  if (made.is_placed) {
+    box.include(Point{});
+    box.low = {};
+  }
   const Vector size = box.high - box.low;
   const double margin = std::ceil(kMargin * std::max(size.x, size.y) + path.style.stroke_width);
-  for (Point& p : drawn.curve.points) p += Point{margin, margin} - box.low;
+  const double before = made.is_placed ? 0 : margin;
+  for (Point& p : drawn.curve.points) p += Point{before, before} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
   const SmoothCurve smooth =
@@ -46,8 +52,8 @@ Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurv
   set_features(path.along, style.example().features(), smooth.features);
   Document document;
   document.header.name = example.header.name;
-  document.header.width = std::ceil(size.x + 2 * margin);
-  document.header.height = std::ceil(size.y + 2 * margin);
+  document.header.width = std::ceil(size.x + (before + margin));
+  document.header.height = std::ceil(size.y + (before + margin));
   document.records.emplace_back(std::move(path));
   return document;
 }

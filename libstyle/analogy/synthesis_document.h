@@ -15,7 +15,8 @@ namespace libstyle {
 std::vector<ExamplePair> synthesis_examples(std::span<const ExamplePair> pairs);
 
 // A page with one curve of a style, painted as the first path of `example`, with a small margin
-// round it.
+// round it. A placed curve keeps its place; the page then begins at the origin, and what goes
+// beyond that is off the page.
 Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurve& made,
                               const Document& example);
 

@@ -30,7 +30,7 @@ Vector Warp::at(double position) const {
 }
 
 Vector Warp::bump(const WarpTarget& target, double position) const {
-  const double ratio = (position - target.position) / width_;
+  const double ratio = (position - target.position) / (target.widening * width_);
   return std::exp(-0.5 * ratio * ratio) * target.offset;
 }
 

@@ -13,11 +13,13 @@ namespace libstyle {
 struct WarpTarget {
   double position = 0;
   Vector offset;
+  double widening = 1;  // how many times as wide its bump is as the others
 };
 
 // A smooth offset along the curve that is exactly that of each target there and fades between them.
 //
-// Alone, a target makes a Gaussian bump k of standard deviation `width` (> 0). Between neighbours
+// Alone, a target makes a Gaussian bump k of standard deviation `width` (> 0), or its multiple of
+// it. Between neighbours
 // at p and q, with u = (x - p) / (q - p) and S(u) = 3 u^2 - 2 u^3,
 //
 //     offset(x) = (1 - S(u)) k(x - p) offset_p + S(u) k(x - q) offset_q

@@ -100,6 +100,18 @@ class SpanFitter {
     for (std::size_t i = first; i <= last; ++i) {
       if (samples_[i].vertex != kNoVertex) breaks_.push_back(i);
     }
+    stops_ = {breaks_.size() - 1};
+  }
+
+  // Every segment ends at these vertices, rising, and passes them exactly.
+  void pass_through(std::span<const std::size_t> vertices) {
+    stops_.clear();
+    for (std::size_t i = 0; i < breaks_.size(); ++i) {
+      const ArcSample& sample = samples_[breaks_[i]];
+      const bool asked = std::ranges::binary_search(vertices, sample.vertex);
+      if (asked) frames_[breaks_[i]] = {sample.position, frame(breaks_[i]).tangent};
+      if (asked || i + 1 == breaks_.size()) stops_.push_back(i);
+    }
   }
 
   // The first and last sample are the same place of a closed curve.
@@ -139,7 +151,7 @@ class SpanFitter {
   // The longest segment from break `from` that is found; `to` is a first guess of its end, and
   // becomes it.
   SegmentFit longest_segment(std::size_t from, std::size_t& to, double tolerance) {
-    const std::size_t last = breaks_.size() - 1;
+    const std::size_t last = *std::ranges::upper_bound(stops_, from);
     std::optional<SegmentFit> best;
     std::size_t reached = from, failed = last + 1;
     std::size_t step = std::max<std::size_t>(to - from, 1);
@@ -181,6 +193,7 @@ class SpanFitter {
   std::vector<ArcSample> samples_;
   LocalFitParams params_;
   std::vector<std::size_t> breaks_;  // samples at which segments may begin and end
+  std::vector<std::size_t> stops_;   // breaks at which they must; the last one always
   std::vector<std::optional<LocalFit>> frames_;
   SegmentFitter fitter_;
 };
@@ -222,8 +235,10 @@ void validate(const Polyline& polyline, const CubicFitParams& params) {
 
 class PathFitter {
  public:
-  PathFitter(const Polyline& polyline, const CubicFitParams& params)
+  PathFitter(const Polyline& polyline, const CubicFitParams& params,
+             std::span<const std::size_t> through)
       : polyline_(polyline),
+        through_(through),
         tolerance_(params.tolerance),
         reach_(params.corner_reach > 0 ? params.corner_reach : 4 * params.tolerance),
         corners_(find_corners(polyline, {params.corner_angle, reach_})) {}
@@ -297,6 +312,7 @@ class PathFitter {
     }
     const LocalFitParams params = local_params(samples[last].length - samples[first].length);
     SpanFitter fitter(std::move(samples), first, last, params);
+    fitter.pass_through(through_);
     fitter.join_ends();
     SpanFit span = fitter.fit();
     // The loop begins where the fit does, near its first point rather than on it.
@@ -322,7 +338,8 @@ class PathFitter {
 
   void append_span(const Chain& chain, bool ends_in_corner) {
     if (chain.points.size() < 2) return;
-    if (const auto deviation = deviation_from_chord(chain.points, tolerance_ / 2)) {
+    const auto deviation = deviation_from_chord(chain.points, tolerance_ / 2);
+    if (deviation && !passes_inside(chain)) {
       result_.path.line_to(chain.points.back());
       result_.points.push_back(chain.vertices.back());
       result_.corners.push_back(ends_in_corner);
@@ -332,7 +349,17 @@ class PathFitter {
     std::vector<ArcSample> samples = make_samples(chain, reach_);
     const std::size_t last = samples.size() - 1;
     const LocalFitParams params = local_params(samples[last].length);
-    append_curves(SpanFitter(std::move(samples), 0, last, params).fit(), ends_in_corner);
+    SpanFitter fitter(std::move(samples), 0, last, params);
+    fitter.pass_through(through_);
+    append_curves(fitter.fit(), ends_in_corner);
+  }
+
+  // Whether a place to pass through is not an end.
+  bool passes_inside(const Chain& chain) const {
+    return !through_.empty() && std::any_of(chain.vertices.begin() + 1, chain.vertices.end() - 1,
+                                            [&](std::size_t vertex) {
+                                              return std::ranges::binary_search(through_, vertex);
+                                            });
   }
 
   void append_curves(const SpanFit& span, bool ends_in_corner) {
@@ -346,6 +373,7 @@ class PathFitter {
   }
 
   const Polyline& polyline_;
+  std::span<const std::size_t> through_;
   double tolerance_, reach_;
   std::vector<std::size_t> corners_;
   CubicFit result_;
@@ -353,9 +381,10 @@ class PathFitter {
 
 }  // namespace
 
-CubicFit fit_cubics(const Polyline& polyline, const CubicFitParams& params) {
+CubicFit fit_cubics(const Polyline& polyline, const CubicFitParams& params,
+                    std::span<const std::size_t> through) {
   validate(polyline, params);
-  return PathFitter(polyline, params).fit();
+  return PathFitter(polyline, params, through).fit();
 }
 
 }  // namespace libstyle

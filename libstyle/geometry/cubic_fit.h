@@ -19,14 +19,16 @@
 // bent than the calmer of their ends; an edge far longer than its neighbours is straight.
 //
 // Guarantees: the path begins and ends at the first and last point and passes through every corner
-// exactly; no point is farther from it than `error`, which is at most `tolerance`; no segment has a
-// loop or a cusp. It is smooth (G1) but at corners and where neighbouring points go backwards. A
-// span that stays within half the tolerance of its chord is one L command.
+// exactly, and where it is asked to; no point is farther from it than `error`, which is at most
+// `tolerance`; no segment has a loop or a cusp. It is smooth (G1) but at corners and where
+// neighbouring points go backwards. A span that stays within half the tolerance of its chord is one
+// L command.
 //
 // Cost: near linear; 1e5 points in less than a second.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "libstyle/geometry/path.h"
@@ -57,6 +59,10 @@ struct CubicFit {
 // Repeated points are allowed; an empty polyline gives an empty path, one point an M alone. Closed
 // paths begin at their first corner or, without corners, near the first point. Throws Error when a
 // parameter is out of range or a point is not finite.
-CubicFit fit_cubics(const Polyline& polyline, const CubicFitParams& params = {});
+//
+// At the points `through`, rising, there are vertices in exactly their places, and no corners for
+// it; of points that repeat the one before them only the first can be asked for.
+CubicFit fit_cubics(const Polyline& polyline, const CubicFitParams& params = {},
+                    std::span<const std::size_t> through = {});
 
 }  // namespace libstyle

@@ -382,3 +382,75 @@ command_case(curve-analogy/synthesize-by-search-has-variants
 command_case(curve-analogy/synthesize-too-long
   RUN "curve-analogy --filtered styles/loops.svg --synthesize 1e12" EXIT 1
   STDERR "~curve-analogy: styles/loops.svg: the length of a curve to be made must be above 0 px and at most [0-9]+ px")
+
+# Constraints. The drawing has a line of 300 px with the id road.
+function(road_case name)
+  cmake_parse_arguments(PARSE_ARGV 1 ROAD "" "RECORDS;OPTIONS;STDERR;EXIT;SAME" "")
+  if(NOT DEFINED ROAD_EXIT)
+    set(ROAD_EXIT 0)
+  endif()
+  set(drawing [[{"curves":1}\n{"type":"path","id":"road","d":"M0 50 L300 50"}\n]])
+  command_case(curve-analogy/${name}
+    RUN "printf '${drawing}${ROAD_RECORDS}' | curve-analogy --filtered styles/wavy.svg ${ROAD_OPTIONS}"
+    EXIT ${ROAD_EXIT} STDERR "${ROAD_STDERR}" SAME "${ROAD_SAME}")
+endfunction()
+road_case(through-is-what-a-record-says
+  OPTIONS "--through 'road=120,80@0.4' --through 'road=200,45*0.01' | tail -n +2"
+  SAME [[printf '{"curves":1}\n{"type":"path","id":"road","d":"M0 50 L300 50"}\n{"type":"constraint","curve":"road","at":[120,80],"t":0.4}\n{"type":"constraint","curve":"road","at":[200,45],"weight":0.01}\n' | curve-analogy --filtered styles/wavy.svg | tail -n +2 | head -n 1]])
+road_case(through-is-passed-exactly
+  OPTIONS "--through road=120.125,80.0625@0.4 | grep -o ' 120.125 80.0625 '" SAME "echo ' 120.125 80.0625 '")
+road_case(through-an-end-moves-it
+  OPTIONS "--method greedy --samples 300 --through road=-5,44@0 | grep -o '\"M-5 44 '" SAME [[echo '"M-5 44 ']])
+road_case(constraints-stay
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80]}\n]]
+  OPTIONS "| tail -n 1" SAME [[echo '{"type":"constraint","curve":"road","at":[120,80]}']])
+road_case(constraints-do-not-depend-on-threads
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80],"weight":0.001}\n]]
+  OPTIONS "--threads 1 | cmp - <(printf '{\"curves\":1}\\n{\"type\":\"path\",\"id\":\"road\",\"d\":\"M0 50 L300 50\"}\\n{\"type\":\"constraint\",\"curve\":\"road\",\"at\":[120,80],\"weight\":0.001}\\n' | curve-analogy --filtered styles/wavy.svg --threads 3)")
+road_case(history-names-places
+  OPTIONS "--through road=120,80@0.4 | head -n 1 | grep -o 'curve-analogy [^\"]*'"
+  SAME "echo 'curve-analogy --filtered wavy.svg --through road=120,80@0.4'")
+road_case(through-nothing-is-warned-about
+  OPTIONS "--through lane=120,80 > $OUT/a"
+  STDERR "curve-analogy: stdin:1: warning: --through lane=120,80 moves no line: no path that is drawn again has this id")
+road_case(a-record-that-names-nothing-has-no-effect
+  RECORDS [[{"type":"constraint","curve":"lane","at":[120,80]}\n]]
+  OPTIONS "| sed -n 2p"
+  SAME [[printf '{"curves":1}\n{"type":"path","id":"road","d":"M0 50 L300 50"}\n' | curve-analogy --filtered styles/wavy.svg | sed -n 2p]])
+road_case(constraints-that-contradict-each-other
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80],"t":0.5}\n{"type":"constraint","curve":"road","at":[130,80],"t":0.5}\n]]
+  EXIT 1
+  STDERR "curve-analogy: stdin:4: #road cannot be in two places at once, 120,80 (line 3) and 130,80 (line 4); take one away or give it a weight")
+road_case(a-record-and-an-option-that-contradict-each-other
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80],"t":0.5}\n]]
+  OPTIONS "--through road=1,2@.5" EXIT 1
+  STDERR "curve-analogy: stdin: #road cannot be in two places at once, 120,80 (line 3) and 1,2 (--through road=1,2@.5); take one away or give it a weight")
+road_case(a-place-far-beyond-all
+  OPTIONS "--through road=1e300,80" EXIT 1
+  STDERR "curve-analogy: stdin: the constraint at 1e+300,80 is too far away: the line to it would be over a million times as long as a step of the style")
+road_case(a-record-whose-t-is-out-of-range
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80],"t":1.5}\n]] EXIT 1
+  STDERR "~curve-analogy: stdin:3: .*\"t\".*")
+road_case(a-record-whose-weight-is-negative
+  RECORDS [[{"type":"constraint","curve":"road","at":[120,80],"weight":-1}\n]] EXIT 1
+  STDERR "~curve-analogy: stdin:3: .*\"weight\".*")
+foreach(place "road" "=1,2" "road=" "road=1" "road=1,2@" "road=9,2*" "road=1,2*3@.5" "road=nan,2" "road=1,2x" "1,2@.5")
+  string(MAKE_C_IDENTIFIER "${place}" name)
+  road_case(through-of-another-form-${name} OPTIONS "--through '${place}'" EXIT 2
+    STDERR "~curve-analogy: --through .*: give CURVE=X,Y or CURVE=X,Y@T, and .WEIGHT behind it if you like; see curve-analogy --help")
+endforeach()
+road_case(through-has-t-in-range OPTIONS "--through road=1,2@1.5" EXIT 2
+  STDERR "curve-analogy: --through road=1,2@1.5: T is from 0, where the line begins, to 1, where it ends; see curve-analogy --help")
+foreach(weight 0 -1)
+  road_case(through-has-a-weight-above-nought-${weight} OPTIONS "--through 'road=1,2*${weight}'" EXIT 2
+    STDERR "~curve-analogy: --through .*: WEIGHT is above 0; without it the line passes exactly; see curve-analogy --help")
+endforeach()
+command_case(curve-analogy/synthesize-from-place-to-place
+  RUN "curve-analogy --filtered styles/coast.svg --synthesize 1600 --through 20,150@0 --through 780.5,250@1 | grep -oE '\"M20 150 .*[ L]780.5 250\"' | wc -l"
+  SAME "echo 1")
+command_case(curve-analogy/synthesize-places-have-a-t
+  RUN "curve-analogy --filtered styles/coast.svg --synthesize 1600 --through 20,150" EXIT 2
+  STDERR "~curve-analogy: --through 20,150: with --synthesize give X,Y@T, and .WEIGHT behind it if you like; .*")
+command_case(curve-analogy/synthesize-places-too-far-apart
+  RUN "curve-analogy --filtered styles/coast.svg --synthesize 500 --through 20,150@0 --through 780,150@1" EXIT 1
+  STDERR "curve-analogy: styles/coast.svg: two places to pass are 760 px apart, and only 500 px of the line lie between them; make it longer")

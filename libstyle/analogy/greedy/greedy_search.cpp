@@ -10,6 +10,7 @@
 #include "libstyle/analogy/greedy/detail_transfer.h"
 #include "libstyle/analogy/greedy/level_example.h"
 #include "libstyle/analogy/greedy/level_search.h"
+#include "libstyle/analogy/greedy/softened_weight.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/gaussian.h"
@@ -40,28 +41,6 @@ SampledCurve checked(const SampledCurve& curve, const char* what) {
     throw Error(std::string(what) + " has no length: give it two different points");
   }
   return clean;
-}
-
-std::vector<CurveConstraint> checked(std::span<const CurveConstraint> constraints) {
-  std::vector<CurveConstraint> sorted(constraints.begin(), constraints.end());
-  std::ranges::stable_sort(sorted, {}, &CurveConstraint::t);
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const CurveConstraint& c = sorted[i];
-    if (!(c.t >= 0 && c.t <= 1)) throw Error("a constraint has a t outside 0 .. 1");
-    if (!is_finite(c.position)) throw Error("a constraint has no finite position");
-    if (c.weight && !(*c.weight > 0 && std::isfinite(*c.weight))) {
-      throw Error(
-          "a constraint has a weight that is not a positive number; leave it out to make "
-          "the constraint hard");
-    }
-    if (i > 0 && !c.weight && !sorted[i - 1].weight && c.t == sorted[i - 1].t &&
-        !(c.position == sorted[i - 1].position)) {
-      throw Error(
-          "two hard constraints want one point of a curve at two places; drop one or give "
-          "them weights");
-    }
-  }
-  return sorted;
 }
 
 std::vector<double> parameters_of(std::span<const CurveConstraint> constraints) {
@@ -205,9 +184,12 @@ GreedySearch::Implementation::Run GreedySearch::Implementation::begin(
   Run run;
   run.place = place;
   run.seed = parameters_.seed;
-  run.given = checked(constraints);
+  run.given = checked_constraints(constraints);
   run.constraints = run.given;
-  for (CurveConstraint& constraint : run.constraints) constraint.position *= unit();
+  for (CurveConstraint& constraint : run.constraints) {
+    constraint.position *= unit();
+    if (constraint.weight) *constraint.weight /= unit() * unit();
+  }
   return run;
 }
 

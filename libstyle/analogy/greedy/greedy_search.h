@@ -10,7 +10,7 @@
 //  3. At every finer level B' begins as the level above and is chosen anew, vertex by vertex, from
 //     {A_l, A'_(l-1)} : A'_l :: {B_l, B'_(l-1)} : B'_l.                  3.4, 3.5  level_search.h
 //  4. Constraints hold at all levels, the softer the coarser.             3.2, 3.4
-//                                                                              curve_constraint.h
+//                                                                               softened_weight.h
 //
 // Symbols: A unfiltered, A' filtered, B target, B' drawn, s_j places of the example, S(i) sources,
 // L + 1 levels, D spacing; the other letters are with their parameters in search_parameters.h.
@@ -41,7 +41,7 @@
 #include <span>
 #include <vector>
 
-#include "libstyle/analogy/greedy/curve_constraint.h"
+#include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/greedy/search_parameters.h"
 #include "libstyle/geometry/sampled_curve.h"
 

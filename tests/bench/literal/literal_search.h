@@ -31,7 +31,7 @@
 #include <span>
 #include <vector>
 
-#include "libstyle/analogy/greedy/curve_constraint.h"
+#include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/greedy/search_parameters.h"
 #include "libstyle/base/random.h"
 #include "libstyle/geometry/arc_length.h"

@@ -222,6 +222,102 @@ TEST(CurveSynthesis, LoopsAreLikeTheirExampleAndDoNotRepeatIt) {
   expect_likeness_and_variety(loops());
 }
 
+// --- Constraints --------------------------------------------------------------------------------
+
+// Coarsely cut: many curves are drawn.
+CurveSynthesis coarse_style(const Polyline& example,
+                            Invariance invariance = Invariance::kTranslate) {
+  CurveAnalogyParameters parameters = with_seed(1, invariance);
+  parameters.samples = 300;
+  return CurveSynthesis({&example, 1}, parameters);
+}
+
+std::vector<Invariance> both_invariances() { return {Invariance::kTranslate, Invariance::kRotate}; }
+
+TEST(CurveSynthesis, PassesThroughHardConstraintsExactly) {
+  const Polyline example = coast();
+  const CurveConstraint constraints[] = {
+      {0, {10, 20}, {}}, {0.4, {120, -40}, {}}, {1, {290, 77}, {}}};
+  for (const Invariance invariance : both_invariances()) {
+    const CurveSynthesis style = coarse_style(example, invariance);
+    for_each_seed(kSeeds, [&](std::uint64_t seed) {
+      const SynthesizedCurve drawn = style.draw(500, seed, 0, constraints);
+      EXPECT_EQ(drawn.curve.points.front(), constraints[0].position);
+      EXPECT_EQ(drawn.curve.points[drawn.pinned[1]], constraints[1].position);
+      EXPECT_EQ(drawn.curve.points.back(), constraints[2].position);
+    });
+  }
+}
+
+TEST(CurveSynthesis, GrowsBothWaysFromOneConstraint) {
+  const Polyline example = coast();
+  const CurveConstraint constraint{0.5, {-30, 200}, {}};
+  const CurveSynthesis style = coarse_style(example);
+  for_each_seed(kSeeds, [&](std::uint64_t seed) {
+    const SynthesizedCurve drawn = style.draw(500, seed, 0, {&constraint, 1});
+    const Polyline free = style.draw(500, seed).curve;
+    EXPECT_EQ(drawn.curve.points[drawn.pinned[0]], constraint.position);
+    EXPECT_NEAR(arc_length(drawn.curve), 500, 1e-6);
+    EXPECT_LT(turning_distance(free, drawn.curve, 1), 1e-3);
+  });
+}
+
+TEST(CurveSynthesis, HeavierConstraintsAreMetMoreNearly) {
+  const Polyline example = coast();
+  const CurveSynthesis style = coarse_style(example);
+  for_each_seed(kSeeds, [&](std::uint64_t seed) {
+    double last = HUGE_VAL;
+    for (const double weight : {1e-6, 1e-4, 0.01, 1.0}) {
+      const CurveConstraint constraints[] = {{0, {0, 0}, {}}, {1, {400, 400}, weight}};
+      const double left =
+          distance(style.draw(500, seed, 0, constraints).curve.points.back(), {400, 400});
+      EXPECT_LT(left, last) << weight;
+      last = left;
+    }
+    EXPECT_LT(last, 1);
+  });
+}
+
+TEST(CurveSynthesis, MovesWithItsConstraints) {
+  const Polyline example = coast();
+  const Vector turn = {std::cos(0.7), std::sin(0.7)}, shift = {1000, -300};
+  const CurveSynthesis upright = coarse_style(example);
+  const CurveSynthesis free = coarse_style(example, Invariance::kRotate);
+  for_each_seed(kSeeds, [&](std::uint64_t seed) {
+    std::vector<CurveConstraint> here = {
+        {0.1, {0, 0}, {}}, {0.5, {160, 40}, 0.01}, {0.9, {200, 9}, {}}};
+    std::vector<CurveConstraint> moved = here, turned = here;
+    for (CurveConstraint& c : moved) c.position += shift;
+    for (CurveConstraint& c : turned) c.position = to_page(c.position, turn);
+    Polyline a = upright.draw(500, seed, 0, here).curve;
+    for (Point& p : a.points) p += shift;
+    EXPECT_THAT(upright.draw(500, seed, 0, moved).curve, PolylineNear(a, 1e-9));
+    Polyline b = free.draw(500, seed, 0, here).curve;
+    for (Point& p : b.points) p = to_page(p, turn);
+    EXPECT_THAT(free.draw(500, seed, 0, turned).curve, PolylineNear(b, 1e-9));
+  });
+}
+
+// From one place to another, no nearer than half the length of the line, in several directions.
+TEST(CurveSynthesis, BetweenConstraintsIsStillLikeItsExample) {
+  for (const Polyline& example : {coast(), loops()}) {
+    const double halves = distance_of_halves(example, arc_length(example) / 1200);
+    const Vector along = normalized(example.points.back() - example.points.front());
+    const double pace =
+        distance(example.points.back(), example.points.front()) / arc_length(example);
+    double sum = 0;
+    const CurveSynthesis style = coarse_style(example);
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const double turn = 0.5 * std::sin(static_cast<double>(seed));
+      const Vector way = to_page(along, {std::cos(turn), std::sin(turn)});
+      const CurveConstraint constraints[] = {{0, {0, 0}, {}}, {1, 1500 * pace * way, {}}};
+      sum += turning_distance(example, style.draw(1500, seed, 0, constraints).curve,
+                              arc_length(example) / 1200);
+    }
+    EXPECT_LT(sum / kSeeds, halves);
+  }
+}
+
 // --- Errors -------------------------------------------------------------------------------------
 
 TEST(CurveSynthesis, RefusesWhatCannotServe) {
@@ -232,6 +328,20 @@ TEST(CurveSynthesis, RefusesWhatCannotServe) {
   for (const double length : {0.0, -1.0, std::nan(""), 1e300}) {
     EXPECT_THROW(style.draw(length, 0), Error) << length;
   }
+}
+
+TEST(CurveSynthesis, RefusesConstraintsThatCannotBe) {
+  const Polyline example = coast();
+  const CurveSynthesis style({&example, 1}, {});
+  const auto draw = [&](std::vector<CurveConstraint> constraints) {
+    style.draw(100, 0, 0, constraints);
+  };
+  EXPECT_NO_THROW(draw({{0, {0, 0}, {}}, {1, {99, 0}, {}}}));
+  EXPECT_THROW(draw({{0, {0, 0}, {}}, {1, {101, 0}, {}}}), Error);
+  EXPECT_THROW(draw({{0.4, {0, 0}, {}}, {0.5, {11, 0}, {}}}), Error);
+  EXPECT_NO_THROW(draw({{0.4, {0, 0}, {}}, {0.5, {11, 0}, 1}}));
+  EXPECT_THROW(draw({{0.4, {0, 0}, {}}, {0.4, {1, 0}, {}}}), Error);
+  EXPECT_THROW(draw({{1.1, {0, 0}, {}}}), Error);
 }
 
 TEST(CurveSynthesis, TakesExamplesOfAnyKind) {

@@ -305,7 +305,7 @@ TEST(GreedySearch, RefusesWhatItCannotUse) {
   expect_error("not finite", [&] { draw(plain(), broken, hill(), p); });
   expect_error("no length", [&] { draw(plain(), wavy(), point, p); });
   expect_error("no length", [&] { draw(point, wavy(), hill(), p); });
-  expect_error("two places", [&] { draw(plain(), wavy(), hill(), p, torn); });
+  expect_error("take one away", [&] { draw(plain(), wavy(), hill(), p, torn); });
   expect_error("outside 0 .. 1", [&] { draw(plain(), wavy(), hill(), p, {&outside, 1}); });
   expect_error("weight", [&] { draw(plain(), wavy(), hill(), p, {&weightless, 1}); });
   expect_error("positive", [&] { synthesize(wavy(), 0, p); });

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "libstyle/analogy/greedy/curve_constraint.h"
+#include "libstyle/analogy/greedy/softened_weight.h"
 #include "libstyle/base/error.h"
 
 namespace libstyle {

@@ -20,6 +20,8 @@
 namespace libstyle {
 namespace {
 
+using ::testing::Contains;
+using ::testing::Each;
 using ::testing::ElementsAre;
 
 // By brute force over a fine flattening.
@@ -129,6 +131,21 @@ TEST(FitCubics, DrawsNoLoopsInsideSegments) {
       }
       ASSERT_LE(turn, std::numbers::pi + 1e-6);
     }
+  });
+}
+
+TEST(FitCubics, PassesExactlyAndSmoothlyWhereItIsAskedTo) {
+  for_each_seed(200, [](std::uint64_t seed) {
+    RandomValues random(seed);
+    const Polyline curve =
+        seed % 2 ? random_blob(random, 60) : with_noise(random_stroke(random, 200), random, 0.1);
+    const std::size_t through[] = {0, 1 + random.below(20), 25, 26 + random.below(30)};
+    const CubicFit fit =
+        fit_cubics(curve, {.tolerance = 1, .corner_angle = std::numbers::pi}, through);
+    const std::vector<Point> vertices = fit.path.vertices();
+    for (const std::size_t point : through) EXPECT_THAT(vertices, Contains(curve.points[point]));
+    EXPECT_LE(fit.error, 1);
+    EXPECT_THAT(fit.corners, Each(false));
   });
 }
 

@@ -95,18 +95,6 @@ TEST(Selector, MatchesLanguages) {
   EXPECT_EQ(matching(":lang(d)"), "");
 }
 
-TEST(Selector, MatchesLinks) {
-  pugi::xml_document document;
-  document.load_string("<svg><a href='#x'/><a/><g href='#x'/></svg>");
-  const Selector link = parse_selector_list(":link")->front();
-  std::size_t steps = 100;
-  std::vector<bool> found;
-  for (const pugi::xml_node child : document.child("svg").children()) {
-    found.push_back(matches(link, child, steps));
-  }
-  EXPECT_EQ(found, (std::vector<bool>{true, false, false}));
-}
-
 TEST(Selector, MatchesValuesInAnyCaseOnRequest) {
   EXPECT_EQ(matching("[title='ONE two' i]"), "p1");
   EXPECT_EQ(matching("[title='ONE two']"), "");
