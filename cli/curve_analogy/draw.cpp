@@ -25,7 +25,7 @@ namespace {
 struct Drawing {
   TakenDocument taken;
   std::vector<std::string> explanations;  // of its styles
-  TextSink curves;                        // of all variants
+  TextSink curves;                        // of all variants, or frames
   std::vector<JsonObject> reports;        // of each
 };
 
@@ -80,14 +80,17 @@ void draw_variants(Drawing& drawing, StyleSet& styles,
   const StylePlan plan = styles.plan(document, warn_in_file);
   if (settings.explain) drawing.explanations = explain(plan);
   std::vector<StyleMeasures> measures;
+  DrawnWalks walks;
   DrawingOptions options{.threads = settings.threads,
                          .progress = session.progress_handler(),
                          .warn = warn_in_file,
+                         .walks = settings.frames ? &walks : nullptr,
+                         .coherence = settings.coherence_of_frames(),
                          .measures = session.has_report() ? &measures : nullptr,
                          .constraints = constraints};
-  for (int i = 0; i < settings.variant_count(); ++i) {
+  for (int i = 0; i < settings.document_count(); ++i) {
     Document variant = document;
-    if (settings.variants) variant.header.name = variant_name(document.header.name, i + 1);
+    if (settings.is_numbered()) variant.header.name = variant_name(document.header.name, i + 1);
     variant.header.history.push_back(session.history());
     options.variant = static_cast<std::uint64_t>(i);
     draw_document(variant, file, plan, options);
@@ -103,7 +106,9 @@ void draw_variants(Drawing& drawing, StyleSet& styles,
 }  // namespace
 
 void draw(const Settings& settings, Session& session) {
-  settings.variant_count();  // is checked before anything is read
+  // Checked before anything is read.
+  settings.document_count();
+  settings.coherence_of_frames();
   const std::vector<AskedConstraint> constraints = read_constraints(settings);
   StyleSet styles = read_styles(settings, session);
   OutputFile output(settings.output);

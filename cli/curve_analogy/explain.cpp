@@ -35,8 +35,10 @@ class Table {
 };
 
 std::string example_text(const StyleSummary& summary, const ExplainedUse& use) {
-  std::string text = std::to_string(summary.lines) + (summary.lines == 1 ? " curve" : " curves") +
-                     ", " + px(summary.filtered_length);
+  std::string text = std::to_string(summary.lines) + (summary.lines == 1 ? " curve" : " curves");
+  if (summary.strokes > summary.lines)
+    text += " in " + std::to_string(summary.strokes) + " strokes";
+  text += ", " + px(summary.filtered_length);
   if (!use.makes_new_lines) text += " along " + px(summary.unfiltered_length) + " unfiltered";
   return text;
 }
@@ -50,6 +52,9 @@ std::string feature_text(const StyleSummary& summary, const ExplainedUse& use) {
   std::string text = px(summary.feature_size);
   if (!use.makes_new_lines) text += ", " + px(summary.feature_along) + " along the line";
   if (summary.parameters.feature_size) return text + ": as given";
+  if (summary.strokes > summary.lines) {
+    return text + ": found; no less than half the way from one stroke to the next";
+  }
   // See feature_size.h and synthesis.cpp for the bounds.
   const double share = summary.feature_size / summary.filtered_length;
   if (use.makes_new_lines && share > 0.0099) {

@@ -28,7 +28,10 @@ std::vector<Option> options(Settings& settings) {
       {"--synthesize", "PX", "make a curve of this length from the example alone",
        &settings.synthesize},
       {"--variants", "N", "so many of each drawing, one with each seed from --seed on",
-       &settings.variants}};
+       &settings.variants},
+      {"--frames", "N", "so many frames of each drawing, for lines that tremble", &settings.frames},
+      {"--coherence", "C", "how much of a frame stays in the next, 0 to 1",
+       &settings.frame_coherence}};
   for (Option& option : style_options(settings)) result.push_back(std::move(option));
   for (Option& option :
        std::vector<Option>{{"--explain", "", "say what was chosen for each style, and why",
@@ -51,13 +54,15 @@ Command describe(Settings& settings) {
   return {
       .name = "curve-analogy",
       .summary = "draw curves in the style of an example",
-      .synopsis = {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
-                   "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
-                   "curve-analogy --style grass=plain.svg:grass.svg --style .sea=wavy.svg bay.svg",
-                   "curve-analogy --filtered wavy.svg --through road=120,80 plan.svg",
-                   "curve-analogy --filtered coast.svg --synthesize 4000 | render -o new.png",
-                   "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg",
-                   "curve-analogy --filtered wavy.svg --scale 2 --save-style wavy.style"},
+      .synopsis =
+          {"svg2curves plan.svg | curve-analogy --filtered wavy.svg | render -o plan.png",
+           "curve-analogy --unfiltered plain.svg --filtered wavy.svg --seed 7 plan.svg",
+           "curve-analogy --style grass=plain.svg:grass.svg --style .sea=wavy.svg bay.svg",
+           "curve-analogy --filtered wavy.svg --through road=120,80 plan.svg",
+           "curve-analogy --filtered coast.svg --synthesize 4000 | render -o new.png",
+           "curve-analogy --filtered loops.svg --scale auto *.svg | curves2svg",
+           "curve-analogy --filtered shaky.svg --frames 12 harbour.svg | render -o '{name}.png'",
+           "curve-analogy --filtered wavy.svg --scale 2 --save-style wavy.style"},
       .options = options(settings),
       .inputs = &settings.inputs,
       .run = [&settings](Session& session) { run(settings, session); },

@@ -7,6 +7,7 @@ namespace {
 JsonObject example_report(const StyleSummary& summary) {
   return JsonObject()
       .count("curves", summary.lines)
+      .count("strokes", summary.strokes)
       .number("filtered-length", summary.filtered_length)
       .number("unfiltered-length", summary.unfiltered_length)
       .number("feature-size", summary.feature_size)

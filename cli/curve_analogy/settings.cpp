@@ -10,6 +10,8 @@
 namespace libstyle {
 namespace {
 
+constexpr double kUsualCoherence = 0.7;
+
 int whole_number(double value, const char* option) {
   if (!(std::abs(value) < 1e6) || value != std::floor(value)) {
     throw UsageError(std::string(option) + " is a whole number");
@@ -105,10 +107,25 @@ void refuse_idle_symbols(const Settings& settings, bool any_greedy) {
   }
 }
 
-int Settings::variant_count() const {
-  const int count = variants ? whole_number(*variants, "--variants") : 1;
-  if (count < 1) throw UsageError("--variants is 1 or more");
+int Settings::document_count() const {
+  if (variants && frames) throw UsageError("--frames does not go with --variants");
+  const char* option = frames ? "--frames" : "--variants";
+  const std::optional<double>& given_count = frames ? frames : variants;
+  const int count = given_count ? whole_number(*given_count, option) : 1;
+  if (count < 1) throw UsageError(std::string(option) + " is 1 or more");
   return count;
+}
+
+double Settings::coherence_of_frames() const {
+  if (frame_coherence && !frames) throw UsageError("--coherence is for --frames");
+  const double value = frame_coherence.value_or(kUsualCoherence);
+  if (!(value >= 0 && value <= 1)) throw UsageError("--coherence is 0 to 1");
+  if (frames && (is_greedy() || parameters.shape_weight > 0)) {
+    throw UsageError(
+        "--frames is for lines that are drawn at random by the chain, not for --shape-weight or "
+        "--method greedy");
+  }
+  return value;
 }
 
 std::optional<double> parse_scale(std::string_view text) {

@@ -21,7 +21,7 @@ struct Settings {
   std::vector<std::string> through;
   std::string style_file;
   std::string save_style;
-  std::optional<double> variants;
+  std::optional<double> variants, frames, frame_coherence;
   std::string scale = "1";
   std::optional<double> synthesize;
   std::string invariance;  // empty: as the work at hand wants it
@@ -39,8 +39,11 @@ struct Settings {
 
   bool is_given(std::string_view option) const;
   bool is_greedy() const { return method == "greedy" || faithful; }
-  // How many documents are made of each; 1 if it is not said.
-  int variant_count() const;
+  // How many documents are made of each, be they variants or frames; 1 if it is not said.
+  int document_count() const;
+  bool is_numbered() const { return variants || frames; }
+  // How much of a frame stays in the next.
+  double coherence_of_frames() const;
 };
 
 // The options that make a style what it is, and that a style file keeps.

@@ -125,7 +125,9 @@ void refuse_other_work(const Settings& settings) {
   refuse(!settings.styles.empty(), "--style; give the example as --filtered FILE");
   refuse(!settings.through.empty(), "--through");
   refuse(settings.synthesize.has_value(), "--synthesize; the style serves for both");
-  refuse(settings.variants.has_value(), "--variants");
+  for (const char* option : {"--variants", "--frames", "--coherence"}) {
+    refuse(settings.is_given(option), option);
+  }
   refuse(settings.inputs != std::vector<std::string>{"-"}, "an input; it draws nothing");
 }
 

@@ -25,8 +25,8 @@ void refuse_other_work(const Settings& settings) {
   refuse(!settings.styles.empty(), "--style; give the example as --filtered FILE");
   refuse(!settings.unfiltered.empty(), "--unfiltered");
   refuse(settings.inputs != std::vector<std::string>{"-"}, "an input");
-  for (const char* option :
-       {"--shape-weight", "--smoothing", "--smallest-scale", "--corner-angle", "--loose-ends"}) {
+  for (const char* option : {"--frames", "--coherence", "--shape-weight", "--smoothing",
+                             "--smallest-scale", "--corner-angle", "--loose-ends"}) {
     refuse(settings.is_given(option), option);
   }
   if (!(*settings.synthesize > 0)) throw UsageError("--synthesize must be above 0");
@@ -35,7 +35,9 @@ void refuse_other_work(const Settings& settings) {
 // The measures of one new line.
 StyleMeasures measure(const SynthesizedCurve& drawn, const Document& document,
                       const Example& example) {
-  const StyledCurve curve{.curve = drawn.curve, .lengths = {}, .corners = {}, .runs = drawn.runs};
+  StyledCurve curve;
+  curve.curve = drawn.curve;
+  curve.runs = drawn.runs;
   const Path& written = std::get<PathRecord>(document.records.front()).path;
   CurveMeasure measure = measure_new_curve(curve, written);
   return summarize({&measure, 1}, example);
@@ -54,7 +56,7 @@ std::vector<CurveConstraint> read_constraints(const Settings& settings) {
 void synthesize(const Settings& settings, Session& session) {
   refuse_other_work(settings);
   const std::vector<CurveConstraint> constraints = read_constraints(settings);
-  const int variants = settings.variant_count();
+  const int variants = settings.document_count();
   const StyleSource source = read_style_source(settings, session);
   refuse_idle_symbols(settings, source.settings.is_greedy());
   if (!source.scale()) throw UsageError("--synthesize does not go with --scale auto");

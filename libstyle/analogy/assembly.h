@@ -18,8 +18,9 @@ namespace libstyle {
 
 struct DrawnLine {
   Polyline curve;
-  std::vector<double> lengths;        // along the plain line, for each point; never falling
-  std::vector<std::size_t> pinned{};  // points that lie at given positions, rising
+  std::vector<double> lengths;                // along the plain line, for each point; never falling
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
+  std::vector<std::size_t> pinned{};          // points that lie at given positions, rising
 };
 
 // A place of a line that it passes exactly.
@@ -37,7 +38,16 @@ struct HeldPlace {
 //  4. Corners that the style rounds are rounded (rounded_corners.h).
 //  5. At the places `held`, rising, the line is moved (warp.h) to where it was, or is wanted, and
 //     passes there exactly: the ends of open lines, where other lines meet it, and constraints.
+//  6. The features of the example are copied with the runs and fade as they do; lengths among them
+//     at the local scale.
 DrawnLine draw_walk(const Example& example, const Sweep& line, const StyleGrid& grid,
                     std::span<const ChainState> walk, std::span<const HeldPlace> held);
+
+// For examples of several strokes: every lane with the pen down where it is down in the example. A
+// stroke fades into that of the next run if both are there at the jump, and begins or ends there
+// otherwise. Where the line is held, the stroke that is nearest passes exactly.
+std::vector<DrawnLine> draw_strokes(const Example& example, const Sweep& line,
+                                    const StyleGrid& grid, std::span<const ChainState> walk,
+                                    std::span<const HeldPlace> held);
 
 }  // namespace libstyle

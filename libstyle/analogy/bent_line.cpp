@@ -95,7 +95,11 @@ double BentLine::bent_length(double plain) const {
 }
 
 double BentLine::plain_length(double bent) const {
-  return plain_.empty() ? bent : carried(bent_, plain_, bent);
+  if (plain_.empty()) return bent;
+  if (line_.closed && bent > bent_.back()) {
+    return plain_.back() + carried(bent_, plain_, bent - bent_.back());
+  }
+  return carried(bent_, plain_, bent);
 }
 
 }  // namespace libstyle

@@ -30,7 +30,7 @@ class BentLine {
 
   const Polyline& line() const { return line_; }
   // Lengths along the line as it was given and as it is bent. The places of bends and the ends
-  // correspond exactly.
+  // correspond exactly. Round a closed line a bent length may go on beyond the seam.
   double bent_length(double plain) const;
   double plain_length(double bent) const;
 

@@ -28,9 +28,9 @@ std::vector<double> step_costs(const ChainModel& model, const ChainTask& task, s
   return costs;
 }
 
-// The probability of what follows the last step: anything, or the return to the origin.
+// The probability of what follows the last step: anything, or what is given.
 double ending_probability(const ChainModel& model, const ChainTask& task, ChainState from) {
-  return task.returns ? transition_probability(model, from, *task.origin) : 1.0;
+  return task.next ? transition_probability(model, from, *task.next) : 1.0;
 }
 
 // ---- Sampling: sums of probabilities --------------------------------------------------------
@@ -166,11 +166,17 @@ class LeastMessages {
 class WalkMemory {
  public:
   WalkMemory(std::size_t states, const ChainVariety& variety)
-      : variety_(variety), uses_(states, 0) {}
+      : variety_(variety),
+        uses_(variety.uses.begin(), variety.uses.end()),
+        run_(variety.run_before) {
+    uses_.resize(states, 0);
+  }
 
+  // The first state goes on with the run before.
   void note(ChainState state) {
-    const bool goes_on = run_ > 0 && state == last_ + 1;
+    const bool goes_on = is_first_ || state == last_ + 1;
     run_ = goes_on ? run_ + 1 : 1;
+    is_first_ = false;
     last_ = state;
     ++uses_[state];
   }
@@ -201,7 +207,8 @@ class WalkMemory {
   std::vector<int> uses_;
   std::vector<double> weighed_;
   ChainState last_ = 0;
-  std::size_t run_ = 0;
+  bool is_first_ = true;
+  std::size_t run_;
 };
 
 }  // namespace

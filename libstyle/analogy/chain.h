@@ -56,7 +56,8 @@ struct ChainTask {
   std::size_t steps = 0;
   StepCosts costs;                   // may be empty
   std::optional<ChainState> origin;  // the first state, if it is given
-  bool returns = false;  // the last step leads back to `origin`, which is given: a closed curve
+  // The state that the last step leads to, if it is given: `origin` on a closed curve.
+  std::optional<ChainState> next;
 };
 
 // What keeps a sampled walk from being seen to repeat itself. Each step is drawn from the chain's
@@ -68,6 +69,10 @@ struct ChainVariety {
   // A jump to a state that was drawn n times before has this to the power of n of its probability;
   // 1: repeats do not matter.
   double repeat_factor = 1;
+  // What the walk is a piece of: how often each state is drawn elsewhere, none if empty, and for
+  // how many steps the run that the origin is the last of goes on already.
+  std::span<const int> uses = {};
+  std::size_t run_before = 0;
 };
 
 // A walk with the probability that the chain gives to it under the task, but for the variety asked

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "libstyle/analogy/jump_costs.h"
 #include "libstyle/analogy/line_constraints.h"
 #include "libstyle/analogy/line_search.h"
+#include "libstyle/analogy/living_walk.h"
 #include "libstyle/analogy/plain_lines.h"
 #include "libstyle/analogy/shape_costs.h"
 #include "libstyle/analogy/soft_constraints.h"
@@ -26,6 +28,11 @@ namespace {
 // is left over is bent into place.
 constexpr double kHeldSpread = 0.15;
 
+// What it costs that no stroke is there: as a stroke four spreads off. One that goes on for so many
+// feature sizes is one.
+constexpr double kPenUp = 8;
+constexpr double kLeastStroke = 0.6;
+
 constexpr double kMeanRun = 8;  // feature sizes
 
 // The longest run: a share of the example, but not less than so many feature sizes.
@@ -34,6 +41,10 @@ constexpr double kLeastLongestRun = 2.5;
 constexpr double kRepeatFactor = 0.25;  // for each time that a place was used before on the line
 
 constexpr double kMostSteps = 1 << 20;
+
+// Feature sizes that change together from frame to frame. Given what is at both ends, pieces no
+// longer than a run hardly ever change: the walk would have to jump away and back.
+constexpr double kPiece = 20;
 
 // A constraint that is no farther off than this share of the reach of the style is left to the
 // style; the line bends for the rest.
@@ -58,8 +69,9 @@ class HeldCosts {
   explicit HeldCosts(const Example& example) : spread_(kHeldSpread * example.reach()) {
     for (std::size_t j = 0; j < example.state_count(); ++j) {
       const double start = example.length_of(j);
-      starts_.push_back(example.line(j).at(start).offset);
-      ends_.push_back(example.line(j).at(start + example.step()).offset);
+      const double least = kLeastStroke * example.feature_along();
+      starts_.push_back(offsets_at(example.line(j), start, least));
+      ends_.push_back(offsets_at(example.line(j), start + example.step(), -least));
     }
   }
 
@@ -71,29 +83,36 @@ class HeldCosts {
       const auto border = static_cast<std::size_t>(std::lround(place.x));
       const bool at_end = border == steps && step + 1 == steps;
       if (border != step && !at_end) continue;
-      const std::vector<Vector>& own = at_end ? ends_ : starts_;
-      for (std::size_t j = 0; j < costs.size(); ++j) costs[j] += cost(own[j] - place.offset);
+      const std::vector<std::vector<Vector>>& own = at_end ? ends_ : starts_;
+      for (std::size_t j = 0; j < costs.size(); ++j) costs[j] += cost(own[j], place.offset);
       any = true;
     }
     return any;
   }
 
  private:
-  double cost(Vector miss) const {
-    return spread_ > 0 ? squared_norm(miss) / (2 * spread_ * spread_) : 0;
+  // Of all strokes that go on as far as `inward`.
+  static std::vector<Vector> offsets_at(const ExampleLine& line, double length, double inward) {
+    std::vector<Vector> result;
+    for (const Lane& lane : line.lanes()) {
+      if (!lane.is_down(length) || !lane.is_down(length + inward)) continue;
+      result.push_back(lane.at(length).offset);
+    }
+    return result;
+  }
+
+  // Of the stroke that is nearest.
+  double cost(std::span<const Vector> strokes, Vector wanted) const {
+    if (strokes.empty()) return kPenUp;
+    if (!(spread_ > 0)) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vector offset : strokes) least = std::min(least, squared_norm(offset - wanted));
+    return least / (2 * spread_ * spread_);
   }
 
   double spread_;
-  std::vector<Vector> starts_, ends_;
+  std::vector<std::vector<Vector>> starts_, ends_;  // for each state, of its strokes
 };
-
-StyledCurve unchanged(const Polyline& curve) {
-  StyledCurve result;
-  result.curve = curve;
-  result.lengths = cumulative_lengths(curve);
-  result.lengths.resize(curve.points.size());
-  return result;
-}
 
 // Where a drawn line is that far along the plain one, which is `total` long.
 Point place_on(const DrawnLine& drawn, double length, double total) {
@@ -107,12 +126,6 @@ Point place_on(const DrawnLine& drawn, double length, double total) {
   return lerp(points[b - 1], points[b < points.size() ? b : 0], share);
 }
 
-StyledCurve too_long(const Polyline& curve) {
-  StyledCurve result = unchanged(curve);
-  result.too_long = true;
-  return result;
-}
-
 }  // namespace
 
 class CurveAnalogy::Implementation {
@@ -123,7 +136,13 @@ class CurveAnalogy::Implementation {
         jumps_(make_jump_model(example_, parameters.mean_run.value_or(kMeanRun),
                                parameters.shape_weight > 0)),
         held_costs_(example_) {
-    if (parameters.method == AnalogyMethod::kGreedy) search_.emplace(example_, parameters);
+    if (parameters.method != AnalogyMethod::kGreedy) return;
+    if (example_.has_strokes()) {
+      throw Error(
+          "the greedy search draws a line as one stroke, and the example has several for one; use "
+          "the chain, or draw one stroke for each unfiltered curve");
+    }
+    search_.emplace(example_, parameters);
   }
 
   StyledCurve draw(const Polyline& curve, const CurveTask& task) const;
@@ -136,17 +155,29 @@ class CurveAnalogy::Implementation {
   StyleSummary summary() const;
 
  private:
+  StyledCurve unchanged(const Polyline& curve) const;
+  StyledCurve too_long(const Polyline& curve) const;
+  DrawnLine plain_line(const Polyline& line) const;
   struct DrawnPart {
     DrawnLine line;
+    std::vector<DrawnLine> strokes;
     std::vector<ChainRun> runs;
     double scaled_length = 0;
+    std::vector<ChainState> walk = {};
   };
 
-  // Which of the random numbers are those of a line.
+  // What is the same for all lines of a curve, and which of them it is.
   struct LinePlace {
+    const CurveTask& task;
     const RandomStream& random;
     std::uint64_t part = 0;
-    std::uint64_t variant = 0;
+
+    std::uint64_t first() const { return part << 32; }  // random number
+    // The walk of the frame before; nothing if there is none to change.
+    std::span<const ChainState> before() const {
+      if (!task.before || task.coherence <= 0 || part >= task.before->size()) return {};
+      return (*task.before)[part];
+    }
   };
 
   DrawnPart draw_line(const Polyline& line, std::vector<LineConstraint> constraints,
@@ -174,6 +205,31 @@ class CurveAnalogy::Implementation {
   HeldCosts held_costs_;
   std::optional<LineSearch> search_;
 };
+
+// Where nothing is drawn, features are what they are on average where the style is smallest.
+StyledCurve CurveAnalogy::Implementation::unchanged(const Polyline& curve) const {
+  StyledCurve result;
+  result.curve = curve;
+  result.lengths = cumulative_lengths(curve);
+  result.lengths.resize(curve.points.size());
+  for (std::size_t i = 0; i < example_.features().size(); ++i) {
+    const bool is_length = example_.features()[i].kind == FeatureKind::kLength;
+    const double value = (is_length ? parameters_.smallest_scale : 1) * example_.statistics(i).mean;
+    result.features.emplace_back(curve.points.size(), value);
+  }
+  return result;
+}
+
+StyledCurve CurveAnalogy::Implementation::too_long(const Polyline& curve) const {
+  StyledCurve result = unchanged(curve);
+  result.too_long = true;
+  return result;
+}
+
+DrawnLine CurveAnalogy::Implementation::plain_line(const Polyline& line) const {
+  StyledCurve plain = unchanged(line);
+  return {std::move(plain.curve), std::move(plain.lengths), std::move(plain.features)};
+}
 
 StyleSummary CurveAnalogy::Implementation::summary() const {
   const bool samples_the_chain = parameters_.shape_weight == 0;
@@ -203,11 +259,13 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
       curve, lines, {task.held, task.constraints, parameters_.keep_ends, example_.feature_size()});
   StyledCurve result;
   result.curve.closed = curve.closed;
+  result.features.resize(example_.features().size());
   double total = 0, scaled = 0;
   std::size_t first_step = 0;
   for (std::size_t part = 0; part < lines.size(); ++part) {
     DrawnPart drawn =
-        draw_line(lines[part].line, constraints.on(lines[part]), {random, part, task.variant});
+        draw_line(lines[part].line, constraints.on(lines[part]), {task, random, part});
+    result.walks.push_back(std::move(drawn.walk));
     const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
     if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
     const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
@@ -219,6 +277,15 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
     for (std::size_t i = 0; i < count; ++i) {
       result.curve.points.push_back(drawn.line.curve.points[i]);
       result.lengths.push_back(lines[part].length_before + drawn.line.lengths[i]);
+    }
+    for (std::size_t i = 0; i < result.features.size(); ++i) {
+      const std::vector<double>& own = drawn.line.features[i];
+      result.features[i].insert(result.features[i].end(), own.begin(),
+                                own.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    for (DrawnLine& stroke : drawn.strokes) {
+      for (double& length : stroke.lengths) length += lines[part].length_before;
+      if (example_.has_strokes()) result.strokes.push_back(std::move(stroke));
     }
     for (ChainRun& run : drawn.runs) {
       run.first += first_step;
@@ -250,7 +317,14 @@ void CurveAnalogy::Implementation::settle_soft_constraints(
   }
   if (hard.size() == constraints.size()) return;
 
-  const DrawnPart drawn = draw_bent_line(line, hard, place);
+  // From frame to frame it stays as it was settled in the first.
+  CurveTask task = place.task;
+  if (!place.before().empty()) {
+    task.before = nullptr;
+    task.variant = 0;
+  }
+  const RandomStream random(parameters_.seed + task.variant, task.place);
+  const DrawnPart drawn = draw_bent_line(line, hard, {task, random, place.part});
   const double total = arc_length(line);
   std::vector<Pull> pulls;
   for (const LineConstraint& constraint : constraints) {
@@ -281,8 +355,8 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_bent_
   DrawnPart drawn;
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     bent = bend(line, constraints, grid, 0);
-    StyledCurve plain = unchanged(bent.line());
-    drawn.line = {std::move(plain.curve), std::move(plain.lengths)};
+    drawn.line = plain_line(bent.line());
+    drawn.strokes = {drawn.line};
   } else {
     std::vector<LineConstraint> along_bent(constraints.begin(), constraints.end());
     for (LineConstraint& c : along_bent) c.length = bent.bent_length(c.length);
@@ -290,6 +364,9 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_bent_
                     : walk_line(bent.line(), grid, along_bent, place);
   }
   for (double& length : drawn.line.lengths) length = bent.plain_length(length);
+  for (DrawnLine& stroke : drawn.strokes) {
+    for (double& length : stroke.lengths) length = bent.plain_length(length);
+  }
   return drawn;
 }
 
@@ -326,9 +403,9 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::search_lin
     const Polyline& line, const StyleGrid& grid, std::span<const LineConstraint> constraints,
     const LinePlace& place) const {
   const double scale = grid.line_scale();
-  LineSearch::Result drawn =
-      search_->draw(line, scale, constraints, place.random.bits(place.part) >> 16, place.variant);
-  return {std::move(drawn.line), std::move(drawn.runs), scale * grid.length()};
+  LineSearch::Result drawn = search_->draw(line, scale, constraints,
+                                           place.random.bits(place.part) >> 16, place.task.variant);
+  return {std::move(drawn.line), {}, std::move(drawn.runs), scale * grid.length()};
 }
 
 CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::walk_line(
@@ -344,11 +421,19 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::walk_line(
   }
   const double blur = grid.line_scale() * example_.feature_along();
   const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
-  const std::vector<ChainState> walk = parameters_.shape_weight > 0
-                                           ? walk_by_shape(sweep, grid)
-                                           : walk_randomly(sweep, grid, held, place);
-  return {draw_walk(example_, sweep, grid, walk, held), find_runs(example_, walk),
-          grid.mean_scale() * grid.length()};
+  std::vector<ChainState> walk = parameters_.shape_weight > 0
+                                     ? walk_by_shape(sweep, grid)
+                                     : walk_randomly(sweep, grid, held, place);
+  DrawnPart result{{}, {}, find_runs(example_, walk), grid.mean_scale() * grid.length()};
+  result.walk = std::move(walk);
+  if (!example_.has_strokes()) {
+    result.line = draw_walk(example_, sweep, grid, result.walk, held);
+    return result;
+  }
+  result.strokes = draw_strokes(example_, sweep, grid, result.walk, held);
+  result.line = plain_line(line);
+  if (result.strokes.empty()) result.strokes = {result.line};
+  return result;
 }
 
 // A jump lands most likely where closing the curve is easiest.
@@ -376,15 +461,21 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const Sweep&
   }
   ChainTask task;
   task.steps = grid.steps();
-  task.costs = [&](std::size_t step, std::span<double> costs) {
-    return held_costs_.add(step, task.steps, places, costs);
+  task.costs = [&, steps = task.steps](std::size_t step, std::span<double> costs) {
+    return held_costs_.add(step, steps, places, costs);
   };
-  const std::uint64_t first = place.part << 32;
-  if (line.closed()) {
-    task.origin = random_origin(place.random, first);
-    task.returns = true;
+  const std::span<const ChainState> before = place.before();
+  if (before.size() == task.steps) {
+    const double piece = kPiece * example_.feature_along() / example_.step();
+    const WalkChange change{1 - place.task.coherence, static_cast<std::size_t>(piece) + 1,
+                            line.closed(), variety()};
+    return changed_walk(jumps_.chain, task, before, change, place.random, place.first());
   }
-  return sample_chain(jumps_.chain, task, place.random, first, variety());
+  if (line.closed()) {
+    task.origin = random_origin(place.random, place.first());
+    task.next = task.origin;
+  }
+  return sample_chain(jumps_.chain, task, place.random, place.first(), variety());
 }
 
 ChainVariety CurveAnalogy::Implementation::variety() const {
@@ -408,7 +499,7 @@ std::vector<ChainState> CurveAnalogy::Implementation::walk_by_shape(const Sweep&
   task.steps = 2 * grid.steps();
   task.origin = best_chain(jumps_.chain, task)[grid.steps()];
   task.steps = grid.steps();
-  task.returns = true;
+  task.next = task.origin;
   return best_chain(jumps_.chain, task);
 }
 

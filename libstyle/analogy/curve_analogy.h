@@ -30,6 +30,11 @@
 // displacements", which the paper compares itself with; the jumps remove the repetition it finds
 // fault with, and frames from blurred curves the distortion.
 //
+// Beyond the paper, which names them as open (section 5): features of A', such as its width, are
+// copied with its pieces, in the size of the style (line_features.h). A' may be several strokes
+// along A, or broken ones (strokes.h, lane.h). A walk can be changed bit by bit from frame to frame
+// (living_walk.h).
+//
 // Guarantees: the same seed gives the same result, on any number of threads; moving or turning A,
 // A' and B together does the same to B' (turning: under Invariance::kRotate); A' = A gives back B;
 // open lines keep their end points exactly, outlines their corners; hard constraints are met
@@ -55,14 +60,23 @@
 
 namespace libstyle {
 
+// The walks of the lines of a curve, from corner to corner; empty where nothing was drawn or
+// nothing was at random.
+using LineWalks = std::vector<std::vector<ChainState>>;
+
 struct StyledCurve {
+  // Where the style draws a line as several strokes, `strokes` has them, in the order of the lines,
+  // and this is B itself.
   Polyline curve;
   std::vector<double> lengths;       // along B, for each point; never falling
   std::vector<std::size_t> corners;  // points that are corners of B
   // Points that lie exactly where constraints want them, rising, but for corners and ends, which
   // may as well.
-  std::vector<std::size_t> pinned = {};
+  std::vector<std::size_t> pinned;
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
+  std::vector<DrawnLine> strokes;
   std::vector<ChainRun> runs;  // of all lines one after the other
+  LineWalks walks;
   // The mean of the local scale over the length of B: 1 where the style has its own size
   // everywhere.
   double mean_scale = 1;
@@ -79,8 +93,13 @@ struct CurveTask {
   // Added to the seed.
   std::uint64_t variant = 0;
   // Places that the curve passes exactly or is drawn towards, whatever keep_ends says. On a place
-  // that is held, and on ends and corners, they come first.
+  // that is held, and on ends and corners, they come first. Of several strokes the nearest passes.
   std::span<const CurveConstraint> constraints = {};
+  // The walks of the frame before, if the curve is to change from that one instead of being drawn
+  // independently, and how much of them stays on average: 1 all, 0 nothing. Not where the walk is
+  // not at random. The first frame is variant 0; what soft constraints come to there stays.
+  const LineWalks* before = nullptr;
+  double coherence = 0;
 };
 
 class CurveAnalogy {

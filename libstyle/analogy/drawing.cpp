@@ -7,12 +7,16 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "libstyle/analogy/line_features.h"
 #include "libstyle/analogy/smooth_curve.h"
 #include "libstyle/base/number.h"
 #include "libstyle/base/parallel.h"
@@ -25,9 +29,8 @@
 namespace libstyle {
 namespace {
 
-constexpr double kFlatness = 0.02;      // of a feature size: of what is drawn along
-constexpr double kFitTolerance = 0.01;  // of a feature size: of the curves that are written
-constexpr double kMeeting = 1e-3;       // of the drawing's diagonal: ends that near a line meet it
+constexpr double kFlatness = 0.02;  // of a feature size: of what is drawn along
+constexpr double kMeeting = 1e-3;   // of the drawing's diagonal: ends that near a line meet it
 
 bool comes_before(const Path* a, const Path* b) {
   const auto key = [](Point p) { return std::tuple(p.x, p.y); };
@@ -52,6 +55,7 @@ class ValuesByLength {
 
   std::vector<double> at(std::span<const double> lengths, std::span<const double> values) const {
     const std::vector<double> known = values_along(places_, values);
+    if (known.size() == 1) return std::vector(lengths.size(), known.front());
     std::vector<double> result;
     for (double length : lengths) {
       if (goes_round_ && length > lengths_.back()) length -= lengths_.back();
@@ -87,6 +91,40 @@ void append_values(AlongValues& result, const AlongValues& old, const FlattenedS
   result.colors.insert(result.colors.end(), colors.begin(), colors.end());
 }
 
+// What the style says of its features, for all subpaths of a path.
+class StyledFeatures {
+ public:
+  explicit StyledFeatures(std::span<const LineFeature> features)
+      : features_(features), values_(features.size()) {}
+
+  // The last subpath, drawn.
+  void append(const SmoothCurve& fresh) {
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      values_[i].insert(values_[i].end(), fresh.features[i].begin(), fresh.features[i].end());
+    }
+  }
+
+  // The last subpath, not drawn, or only bent: it keeps its own values, which are the last ones of
+  // `along`, or gets those of the style.
+  void append_kept(const AlongValues& along, const StyledCurve& kept, std::size_t vertices) {
+    for (std::size_t i = 0; i < features_.size(); ++i) {
+      const std::vector<double> own = feature_values(along, features_[i]);
+      if (own.empty()) {
+        values_[i].insert(values_[i].end(), vertices, kept.features[i].front());
+      } else {
+        values_[i].insert(values_[i].end(), own.end() - static_cast<std::ptrdiff_t>(vertices),
+                          own.end());
+      }
+    }
+  }
+
+  void put(AlongValues& along) const { set_features(along, features_, values_); }
+
+ private:
+  std::span<const LineFeature> features_;
+  std::vector<std::vector<double>> values_;
+};
+
 // ---- One path -------------------------------------------------------------------------------
 
 struct PathMeasure {
@@ -115,6 +153,22 @@ SmoothCurve kept(const Subpath& old, const FlattenedSubpath& flat) {
     result.lengths.push_back(length);
   }
   if (old.closed) result.path.close();
+  return result;
+}
+
+// The curve, or the strokes that it is drawn as.
+std::vector<SmoothCurve> smooth_strokes(const StyledCurve& drawn, double length,
+                                        const FitTolerances& tolerances) {
+  if (drawn.strokes.empty()) return {smooth_curve(drawn, length, tolerances)};
+  std::vector<SmoothCurve> result;
+  for (const DrawnLine& stroke : drawn.strokes) {
+    StyledCurve single;
+    single.curve = stroke.curve;
+    single.lengths = stroke.lengths;
+    single.features = stroke.features;
+    single.pinned = stroke.pinned;
+    result.push_back(smooth_curve(single, length, tolerances));
+  }
   return result;
 }
 
@@ -165,38 +219,69 @@ std::size_t vertex_count(std::span<const Subpath> subpaths, std::size_t i, const
   return end - subpaths[i].first_vertex;
 }
 
-PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const PathConstraints& constraints,
-                      const CurveAnalogy& style, std::uint64_t place,
-                      const DrawingOptions& options) {
+Path joined(std::span<const SmoothCurve> strokes) {
+  Path result;
+  for (const SmoothCurve& stroke : strokes) result.append(stroke.path);
+  return result;
+}
+
+// What is wanted of one path, and of how it was drawn in the frame before.
+struct PathTask {
+  CurveTask first;  // of the first subpath, but for the places that it passes
+  const PathConstraints& constraints;
+  std::vector<LineWalks>* walks = nullptr;  // one for each subpath; null if there are no frames
+  bool is_measured = false;
+};
+
+PathMeasure draw_path(PathRecord& record, const FlatPath& flat, const CurveAnalogy& style,
+                      const PathTask& path_task) {
   PathMeasure measure;
   measure.too_long = flat.too_long;
   if (flat.too_long) return measure;
-  const double size = style.example().feature_size();
   const std::vector<FlattenedSubpath>& flats = flat.subpaths;
   const std::vector<Subpath> old = subpaths(record.path);
   AlongValues along;
   for (const Channel& channel : record.along.channels) along.channels.push_back({channel.name, {}});
+  along.extras = record.along.extras;
+  StyledFeatures features(style.example().features());
+  bool any_drawn = false;
   Path path;
   for (std::size_t i = 0; i < flats.size(); ++i) {
-    const StyledCurve drawn = style.draw(
-        flats[i].polyline, {(place << 24) + i, flat.held[i], options.variant, constraints[i]});
+    CurveTask task = path_task.first;
+    task.place += i;
+    task.held = flat.held[i];
+    task.constraints = path_task.constraints[i];
+    if (path_task.walks) task.before = &(*path_task.walks)[i];
+    StyledCurve drawn = style.draw(flats[i].polyline, task);
+    if (path_task.walks) (*path_task.walks)[i] = std::move(drawn.walks);
     const double length = flats[i].polyline.points.empty() ? 0 : arc_length(flats[i].polyline);
-    const double tolerance = kFitTolerance * size * std::max(drawn.mean_scale, 0.05);
-    const bool stays =
-        drawn.runs.empty() && (constraints[i].empty() || drawn.too_long || length == 0);
-    const SmoothCurve fresh =
-        stays ? kept(old[i], flats[i]) : smooth_curve(drawn, length, tolerance);
-    path.append(fresh.path);
-    append_values(along, record.along, flats[i], fresh.lengths);
-    if (options.measures) {
-      CurveMeasure curve = measure_curve(flats[i].polyline, flat.held[i], drawn, fresh.path);
+    const FitTolerances tolerances =
+        fit_tolerances(style.example(), std::max(drawn.mean_scale, 0.05));
+    const bool is_styled = !drawn.runs.empty();
+    const bool stays = !is_styled && (task.constraints.empty() || drawn.too_long || length == 0);
+    const std::vector<SmoothCurve> fresh =
+        stays ? std::vector{kept(old[i], flats[i])} : smooth_strokes(drawn, length, tolerances);
+    for (const SmoothCurve& stroke : fresh) {
+      append_values(along, record.along, flats[i], stroke.lengths);
+      if (is_styled) {
+        features.append(stroke);
+      } else {
+        features.append_kept(along, drawn, stroke.lengths.size());
+      }
+    }
+    const Path written = joined(fresh);
+    path.append(written);
+    if (path_task.is_measured) {
+      CurveMeasure curve = measure_curve(flats[i].polyline, flat.held[i], drawn, written);
       curve.vertices_before = vertex_count(old, i, record.path);
       measure.curves.push_back(std::move(curve));
     }
+    any_drawn = any_drawn || is_styled;
     measure.length += length;
     measure.too_long = measure.too_long || drawn.too_long;
     if (drawn.runs.empty() || drawn.mean_scale < 0.5) measure.small_length += length;
   }
+  if (any_drawn) features.put(along);
   record.path = std::move(path);
   record.along = std::move(along);
   record.shape.clear();
@@ -209,7 +294,61 @@ struct StyledPath {
   PathRecord* record;
   std::size_t style;            // kNone: it stays as it is
   const CurveAnalogy* analogy;  // null: it stays as it is
+  // Strokes have no inside: the area keeps its shape, and its line becomes a record of its own.
+  std::optional<PathRecord> line = std::nullopt;
+
+  PathRecord& drawn() { return line ? *line : *record; }
 };
+
+bool is_painted(const std::optional<Paint>& paint) {
+  return paint && !std::holds_alternative<NoPaint>(*paint);
+}
+
+// Parts a record that is to be drawn as strokes. An area without a line stays as it is.
+void part_area_from_line(StyledPath& path) {
+  if (!path.analogy || !path.analogy->example().has_strokes()) return;
+  PathRecord& area = *path.record;
+  if (!is_painted(area.style.fill)) return;
+  if (!is_painted(area.style.stroke) && area.along.colors.empty()) {
+    path.analogy = nullptr;
+    return;
+  }
+  path.line = area;
+  path.line->style.fill = NoPaint{};
+  area.style.stroke = NoPaint{};
+  area.along = {};
+}
+
+// The lines of areas get ids of their own: those of the areas with numbers behind.
+void name_lines(const Document& document, std::span<StyledPath> paths) {
+  std::unordered_set<std::string_view> taken;
+  for (const Record& record : document.records) {
+    if (const RecordBase* base = base_of(record)) taken.insert(base->id);
+  }
+  for (StyledPath& path : paths) {
+    if (!path.line || path.line->id.empty()) continue;
+    const std::string area = path.line->id + '~';
+    int number = 2;
+    while (taken.contains(area + std::to_string(number))) ++number;
+    path.line->id = area + std::to_string(number);
+  }
+}
+
+// Puts the lines of areas in front of them, or behind, as they were painted.
+void insert_lines(Document& document, std::span<StyledPath> paths) {
+  name_lines(document, paths);
+  Records records;
+  auto path = paths.begin();
+  for (Record& record : document.records) {
+    std::optional<PathRecord> line;
+    if (std::holds_alternative<PathRecord>(record)) line = std::move((path++)->line);
+    const bool below = line && line->style.stroke_first;
+    if (below) records.emplace_back(std::move(*line));
+    records.push_back(std::move(record));
+    if (line && !below) records.emplace_back(std::move(*line));
+  }
+  document.records = std::move(records);
+}
 
 std::vector<StyledPath> styled_paths(Document& document, const StylePlan& plan) {
   std::vector<StyledPath> result;
@@ -303,23 +442,35 @@ void summarize_styles(std::span<const StyledPath> paths, std::span<PathMeasure> 
 
 void draw_again(Document& document, const StylePlan& plan, const DrawingOptions& options) {
   if (options.measures) options.measures->assign(plan.styles.size(), {});
-  const std::vector<StyledPath> paths = styled_paths(document, plan);
+  std::vector<StyledPath> paths = styled_paths(document, plan);
   const std::vector<std::size_t> places = first_equals(paths);
   const auto any = std::ranges::find_if(paths, [](const StyledPath& path) { return path.analogy; });
   std::vector<FlatPath> flat(paths.size());
   if (any != paths.end()) flat = flatten_paths(paths, *any->analogy);
+  for (StyledPath& path : paths) part_area_from_line(path);
   const std::vector<PathConstraints> constraints =
       find_constraints(document, paths, places, flat, options);
+  if (options.walks) options.walks->resize(paths.size());
   std::vector<PathMeasure> measures(paths.size());
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(paths.size(), options.threads, [&](std::size_t i) {
-    const StyledPath& path = paths[i];
+    StyledPath& path = paths[i];
     const std::size_t place = places[i];
     if (path.analogy) {
       const bool alike = path.style == paths[place].style;
-      measures[i] = draw_path(*path.record, flat[alike ? place : i], constraints[i], *path.analogy,
-                              place, options);
+      const FlatPath& own = flat[alike ? place : i];
+      const PathTask task{{.place = place << 24,
+                           .held = {},
+                           .variant = options.variant,
+                           .constraints = {},
+                           .before = nullptr,
+                           .coherence = options.coherence},
+                          constraints[i],
+                          options.walks ? &(*options.walks)[i] : nullptr,
+                          options.measures != nullptr};
+      if (task.walks) task.walks->resize(own.subpaths.size());
+      measures[i] = draw_path(path.drawn(), own, *path.analogy, task);
     }
     if (!options.progress) return;
     const std::lock_guard lock(mutex);
@@ -330,6 +481,8 @@ void draw_again(Document& document, const StylePlan& plan, const DrawingOptions&
   for (std::size_t style = 0; style < plan.styles.size(); ++style) {
     warn_if_small(paths, measures, style, plan.styles[style].name, options.warn);
   }
+  const auto has_line = [](const StyledPath& path) { return path.line.has_value(); };
+  if (std::ranges::any_of(paths, has_line)) insert_lines(document, paths);
 }
 
 void draw_again(Document& document, const CurveAnalogy& style, const DrawingOptions& options) {

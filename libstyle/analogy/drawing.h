@@ -18,11 +18,18 @@
 
 namespace libstyle {
 
+// What one frame of a drawing hands to the next: the walks of every path and its subpaths.
+using DrawnWalks = std::vector<std::vector<LineWalks>>;
+
 struct DrawingOptions {
   int threads = 0;  // 0: one a core; does not change the result
   ProgressHandler progress;
   WarningHandler warn;
   std::uint64_t variant = 0;  // added to the seeds
+  // Frames: the walks of the frame before, none for the first, which are changed to those of this
+  // one. The document and the plan are the same as they were then.
+  DrawnWalks* walks = nullptr;
+  double coherence = 0;  // how much of the frame before stays, 0 .. 1
   // Where the measures of each style of the plan go, if they are wanted. Of styles that nothing is
   // drawn in they are left empty.
   std::vector<StyleMeasures>* measures = nullptr;
@@ -47,13 +54,18 @@ struct StylePlan {
 
 // Draws every subpath of every path record again; all else stays. The outcome is smooth paths of
 // few cubics, with the corners of the drawing and of the style kept, within a hundredth of a
-// feature size. Values along the curves are carried to the new vertices. Paths that are the same
-// curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to 1/10000 px
-// except where curves begin and end. Lines that met, at their ends or one with the middle of
-// another, still meet.
+// feature size. Values along the curves are carried to the new vertices, but where the example has
+// values of the same name along its lines: those take their place, or come besides. Paths that are
+// the same curve, such as a filling and its outline, are drawn alike. Coordinates are rounded to
+// 1/10000 px except where curves begin and end. Lines that met, at their ends or one with the
+// middle of another, still meet.
 //
 // Lines of different styles meet as well, and lines that stay with lines that do not. Which styles
 // other parts have does not change how a part is drawn.
+//
+// A style of several strokes makes each line a path of several subpaths. What is filled keeps its
+// shape then, and its line becomes a record of its own, in front of it or behind as it was painted;
+// what is filled and has no line stays as it is.
 //
 // Paths pass through their hard constraints exactly and near the soft ones (curve_analogy.h,
 // drawing_constraints.h). Lines that met one at an end which a constraint moves stay where they

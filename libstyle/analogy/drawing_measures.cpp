@@ -29,6 +29,14 @@ std::vector<Polyline> polylines_of(const Path& path) {
   return result;
 }
 
+// A single one, or its strokes.
+std::vector<Polyline> drawn_curves(const StyledCurve& drawn) {
+  if (drawn.strokes.empty()) return {drawn.curve};
+  std::vector<Polyline> result;
+  for (const DrawnLine& stroke : drawn.strokes) result.push_back(stroke.curve);
+  return result;
+}
+
 double farthest_from(const SegmentGrid& grid, std::span<const Point> points) {
   double most = 0;
   for (const Point p : points) {
@@ -95,7 +103,7 @@ void measure_likeness(StyleMeasures& result, std::span<const CurveMeasure> curve
   const double spacing = length / kStepsOfExample;
   std::vector<Polyline> drawn;
   for (const CurveMeasure& curve : curves) {
-    if (!curve.is_kept) drawn.push_back(curve.drawn);
+    drawn.insert(drawn.end(), curve.drawn.begin(), curve.drawn.end());
   }
   result.turning_distance = distance_if_long(filtered, drawn, spacing);
   const auto [first, second] = halves(filtered);
@@ -122,20 +130,25 @@ CurveMeasure measure_curve(const Polyline& plain, std::span<const double> held,
   if (measure.is_kept) return measure;
   measure.mean_scale = drawn.mean_scale;
   measure.runs = drawn.runs;
-  measure.drawn = drawn.curve;
-  for (Point& p : measure.drawn.points) p *= 1 / drawn.mean_scale;
-
   const std::vector<Polyline> lines = polylines_of(written);
   const SegmentGrid grid(lines);
-  measure.fit_distance = farthest_from(grid, drawn.curve.points);
+  for (Polyline& curve : drawn_curves(drawn)) {
+    measure.fit_distance = std::max(measure.fit_distance, farthest_from(grid, curve.points));
+    for (Point& p : curve.points) p *= 1 / drawn.mean_scale;
+    measure.drawn.push_back(std::move(curve));
+  }
   std::vector<Point> places;
   for (const double length : held) places.push_back(along.point_at(length));
   measure.held = held.size();
   measure.held_distance = farthest_from(grid, places);
-  if (!plain.closed) {
+  if (plain.closed) return measure;
+  if (drawn.strokes.empty()) {
     const std::vector<Point> vertices = written.vertices();
     measure.end_distance = std::max(distance(plain.points.front(), vertices.front()),
                                     distance(plain.points.back(), vertices.back()));
+  } else {
+    const Point ends[] = {plain.points.front(), plain.points.back()};
+    measure.end_distance = farthest_from(grid, ends);
   }
   return measure;
 }

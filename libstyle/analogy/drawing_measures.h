@@ -30,7 +30,7 @@ struct CurveMeasure {
   double held_distance = 0;  // of held places from the curve that is written
   double fit_distance = 0;   // of what was drawn from the curve that is written
   std::vector<ChainRun> runs;
-  Polyline drawn;  // with the style at its own size
+  std::vector<Polyline> drawn;  // the curve or its strokes, with the style at its own size
 };
 
 // Measures a curve without its style: what was drawn along `plain`, and the path that is written of

@@ -2,12 +2,14 @@
 #include "libstyle/analogy/example.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "libstyle/analogy/correspondence.h"
 #include "libstyle/analogy/feature_size.h"
 #include "libstyle/analogy/rounded_corners.h"
+#include "libstyle/analogy/strokes.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/gaussian.h"
@@ -20,6 +22,7 @@ constexpr double kStepsPerFeature = 4;         // finer steps draw no better, an
 constexpr double kMostSamplesPerFeature = 40;  // short examples need no finer ones
 constexpr double kLongestExample = 1e9;        // px; squares of lengths must not overflow
 constexpr double kMaxStates = 2048;            // bounds the table of jumps
+constexpr double kNearEnd = 0.5;               // feature sizes: of a stroke to the end of its line
 constexpr double kSharpTurn = 0.5;             // radians: resampling must not cut such a vertex off
 
 // A closed curve becomes an open one that ends where it begins, which can be sampled and measured
@@ -28,9 +31,9 @@ SampledCurve opened(SampledCurve curve) {
   if (curve.polyline.closed && curve.size() > 0) {
     curve.polyline.points.push_back(curve.polyline.points.front());
     curve.t.push_back(curve.t.front() + 1);
+    for (std::vector<double>& values : curve.channels) values.push_back(values.front());
   }
   curve.polyline.closed = false;
-  curve.channels.clear();
   return curve;
 }
 
@@ -41,10 +44,9 @@ Polyline closed_again(Polyline opened) {
 }
 
 struct Pair {
-  Polyline filtered;
   std::optional<Polyline> unfiltered;
-  std::vector<double> lengths;  // along the unfiltered curve, for each filtered vertex
-  bool closed = false;          // both were, before they were opened
+  std::vector<SampledCurve> strokes;  // t: the length along the unfiltered curve
+  bool closed = false;                // both were, before they were opened
 };
 
 SampledCurve checked(const SampledCurve& curve, double scale, const char* which) {
@@ -77,24 +79,72 @@ std::vector<double> lengths_at_parameters(const SampledCurve& curve,
   return lengths;
 }
 
+void scale_features(SampledCurve& curve, std::span<const LineFeature> features, double scale) {
+  assert(curve.channels.size() == features.size());
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (features[i].kind != FeatureKind::kLength) continue;
+    for (double& value : curve.channels[i]) value *= scale;
+  }
+}
+
+// Several strokes have their places along the unfiltered curve as it was opened.
+bool goes_round(const ExamplePair& pair) {
+  return pair.others.empty() && pair.filtered.polyline.closed &&
+         (!pair.unfiltered || pair.unfiltered->polyline.closed);
+}
+
 Pair prepare(const ExamplePair& pair, double scale) {
-  const SampledCurve filtered = checked(pair.filtered, scale, "filtered");
-  const bool closed = pair.filtered.polyline.closed;
-  if (!pair.unfiltered) return {filtered.polyline, std::nullopt, {}, closed};
+  Pair result;
+  result.strokes.push_back(checked(pair.filtered, scale, "filtered"));
+  for (const SampledCurve& other : pair.others) {
+    result.strokes.push_back(checked(other, scale, "filtered"));
+  }
+  for (SampledCurve& stroke : result.strokes) scale_features(stroke, pair.features, scale);
+  result.closed = goes_round(pair);
+  if (!pair.unfiltered) return result;
   const SampledCurve unfiltered = checked(*pair.unfiltered, scale, "unfiltered");
-  return {filtered.polyline, unfiltered.polyline,
-          pair.same_parameter ? lengths_at_parameters(unfiltered, filtered.t)
-                              : corresponding_lengths(filtered.polyline, unfiltered.polyline),
-          closed && pair.unfiltered->polyline.closed};
+  result.unfiltered = unfiltered.polyline;
+  SampledCurve& first = result.strokes.front();
+  if (!pair.others.empty()) {
+    for (SampledCurve& stroke : result.strokes) {
+      stroke = laid_along(std::move(stroke), unfiltered.polyline);
+    }
+  } else if (pair.same_parameter) {
+    first.t = lengths_at_parameters(unfiltered, first.t);
+  } else {
+    first.t = corresponding_lengths(first.polyline, unfiltered.polyline);
+  }
+  return result;
 }
 
 // The filtered curve, blurred.
 Polyline without_detail(const Pair& pair, double blur) {
-  if (!pair.closed) return gaussian_blur(pair.filtered, blur);
-  Polyline plain = gaussian_blur(closed_again(pair.filtered), blur);
+  const Polyline& filtered = pair.strokes.front().polyline;
+  if (!pair.closed) return gaussian_blur(filtered, blur);
+  Polyline plain = gaussian_blur(closed_again(filtered), blur);
   plain.points.push_back(plain.points.front());
   plain.closed = false;
   return plain;
+}
+
+// How much of the unfiltered curves there is below the strokes: all of them below single ones.
+double covered_length(const Pair& pair) {
+  if (pair.strokes.size() == 1) return arc_length(*pair.unfiltered);
+  double sum = 0;
+  for (const SampledCurve& stroke : pair.strokes) sum += stroke.t.back() - stroke.t.front();
+  return sum;
+}
+
+// Half the usual length from one beginning of a stroke to the next; 0 where strokes are not what
+// the style is made of.
+double size_of_strokes(std::span<const Pair> pairs) {
+  double length = 0, strokes = 0;
+  for (const Pair& pair : pairs) {
+    if (pair.strokes.size() == 1) continue;
+    length += arc_length(*pair.unfiltered);
+    strokes += static_cast<double>(pair.strokes.size());
+  }
+  return strokes > 0 ? length / (2 * strokes) : 0;
 }
 
 double total_length(std::span<const Polyline> curves) {
@@ -116,10 +166,19 @@ std::vector<double> sharp_parameters(const SampledCurve& curve) {
   return result;
 }
 
-// The filtered curve, sampled evenly, with t the length along the unfiltered one.
-SampledCurve sampled_filtered(const Pair& pair, double spacing) {
-  SampledCurve curve{pair.filtered, pair.lengths, {}};
-  curve = without_repeated_points(curve);
+// Strokes are features as well as what their shapes show, and these are not larger than a stroke
+// has room for: straight ones show none.
+double found_size(std::span<const Polyline> filtered, std::optional<double> plain_length,
+                  double stroke_size) {
+  const double found = find_feature_size(filtered, plain_length);
+  if (stroke_size == 0) return found;
+  const double room = total_length(filtered) / (4 * static_cast<double>(filtered.size()));
+  return std::max(std::min(found, room), stroke_size);
+}
+
+// A stroke, sampled evenly.
+SampledCurve sampled(const SampledCurve& stroke, double spacing) {
+  const SampledCurve curve = without_repeated_points(stroke);
   return resample(curve, spacing, sharp_parameters(curve));
 }
 
@@ -140,40 +199,80 @@ std::vector<ExampleLine::Sample> offsets_from(const Sweep& sweep, const SampledC
   return samples;
 }
 
+// How strokes become lanes.
+struct LaneTask {
+  const Polyline& plain;
+  double spacing = 0;  // of samples
+  double feature = 0;  // half the size of one, along the plain line
+  bool rounds_corners = false;
+};
+
+std::vector<ExampleLine::Sample> samples_of(const Sweep& sweep, const SampledCurve& stroke,
+                                            const LaneTask& task) {
+  const RoundedCorners rounded =
+      task.rounds_corners ? RoundedCorners(task.plain, stroke, task.feature) : RoundedCorners();
+  return offsets_from(sweep, stroke, rounded);
+}
+
+std::vector<Lane> lanes_of(const Sweep& sweep, std::span<const SampledCurve> filtered,
+                           const LaneTask& task) {
+  std::vector<SampledCurve> strokes;
+  for (const SampledCurve& stroke : filtered) strokes.push_back(sampled(stroke, task.spacing));
+  if (strokes.size() == 1) {
+    std::optional<double> period;
+    if (sweep.closed()) period = sweep.length();
+    return {{samples_of(sweep, strokes[0], task), strokes[0].channels, period}};
+  }
+  std::ranges::stable_sort(strokes, {}, [](const SampledCurve& s) { return s.t.front(); });
+  std::vector<Lane::Stroke> stretches;
+  for (const SampledCurve& stroke : strokes)
+    stretches.push_back({stroke.t.front(), stroke.t.back()});
+  const std::vector<std::size_t> places = assign_lanes(stretches);
+  std::vector<Lane> lanes(std::ranges::max(places) + 1);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    lanes[places[i]].append_stroke(samples_of(sweep, strokes[i], task), strokes[i].channels);
+  }
+  for (Lane& lane : lanes) lane.extend_to_ends(sweep.length(), kNearEnd * task.feature);
+  return lanes;
+}
+
 double stray(std::span<const ExampleLine> lines) {
   Vector mean;
   double count = 0;
   for (const ExampleLine& line : lines) {
-    for (const auto& sample : line.samples()) mean += sample.offset;
-    count += static_cast<double>(line.samples().size());
+    for (const Lane& lane : line.lanes()) {
+      for (const auto& sample : lane.samples()) mean += sample.offset;
+      count += static_cast<double>(lane.samples().size());
+    }
   }
   mean = mean / count;
   std::vector<double> distances;
   for (const ExampleLine& line : lines) {
-    for (const auto& sample : line.samples()) distances.push_back(distance(sample.offset, mean));
+    for (const Lane& lane : line.lanes()) {
+      for (const auto& sample : lane.samples()) distances.push_back(distance(sample.offset, mean));
+    }
   }
   const auto place = static_cast<std::ptrdiff_t>(0.95 * count);
   std::nth_element(distances.begin(), distances.begin() + place, distances.end());
   return distances[static_cast<std::size_t>(place)];
 }
 
+std::vector<double> values_of(std::span<const ExampleLine> lines, std::size_t feature) {
+  std::vector<double> result;
+  for (const ExampleLine& line : lines) {
+    for (const Lane& lane : line.lanes()) {
+      if (lane.strokes().empty()) continue;
+      const std::span<const double> values = lane.feature(feature);
+      result.insert(result.end(), values.begin(), values.end());
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
-ExampleLine::ExampleLine(Sweep sweep, std::vector<Sample> samples)
-    : sweep_(std::move(sweep)), samples_(std::move(samples)) {}
-
-ExampleLine::Sample ExampleLine::at(double length) const {
-  if (goes_round()) length -= std::floor(length / this->length()) * this->length();
-  const auto after = std::ranges::upper_bound(samples_, length, {}, &Sample::length);
-  if (after == samples_.begin()) return samples_.front();
-  if (after == samples_.end()) return samples_.back();
-  const Sample& a = *std::prev(after);
-  const Sample& b = *after;
-  const double share = (length - a.length) / (b.length - a.length);
-  const Vector tangent = normalized(lerp(a.tangent, b.tangent, share));
-  return {length, lerp(a.offset, b.offset, share), tangent == Vector{} ? a.tangent : tangent,
-          std::lerp(a.blur, b.blur, share)};
-}
+ExampleLine::ExampleLine(Sweep sweep, std::vector<Lane> lanes)
+    : sweep_(std::move(sweep)), lanes_(std::move(lanes)) {}
 
 Point ExampleLine::filtered_at(double length) const {
   const Sample sample = at(length);
@@ -183,47 +282,69 @@ Point ExampleLine::filtered_at(double length) const {
 Example::Example(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters) {
   if (examples.empty()) throw Error("there is no example; give at least one filtered curve");
   std::vector<Pair> pairs;
-  std::vector<Polyline> filtered, unfiltered;
+  std::vector<Polyline> filtered;
+  std::optional<double> plain_length = 0;
   for (const ExamplePair& example : examples) {
     pairs.push_back(prepare(example, parameters.scale));
-    filtered.push_back(pairs.back().filtered);
-    if (pairs.back().unfiltered) unfiltered.push_back(*pairs.back().unfiltered);
+    for (const SampledCurve& stroke : pairs.back().strokes) filtered.push_back(stroke.polyline);
+    has_strokes_ = has_strokes_ || !example.others.empty();
+    if (!example.unfiltered) plain_length.reset();
+    if (plain_length) *plain_length += covered_length(pairs.back());
   }
-  std::optional<double> plain_length;
-  if (unfiltered.size() == filtered.size()) plain_length = total_length(unfiltered);
+  const double stroke_size = parameters.feature_size ? 0 : size_of_strokes(pairs);
   feature_size_ = parameters.feature_size ? *parameters.feature_size * parameters.scale
-                                          : find_feature_size(filtered, plain_length);
+                                          : found_size(filtered, plain_length, stroke_size);
 
   const double filtered_length = total_length(filtered);
   double base_length = 0;
   for (Pair& pair : pairs) {
     if (!pair.unfiltered) {
       pair.unfiltered = without_detail(pair, kBaseBlur * feature_size_);
-      pair.lengths = cumulative_lengths(*pair.unfiltered);
+      pair.strokes.front().t = cumulative_lengths(*pair.unfiltered);
     }
-    base_length += arc_length(*pair.unfiltered);
+    base_length += covered_length(pair);
   }
   if (!(base_length > 0)) {
     throw Error(
         "the filtered example goes nowhere once its detail is taken away; draw it longer, "
         "or give the unfiltered example too");
   }
-  feature_along_ = feature_size_ * base_length / filtered_length;
+  feature_along_ = std::max(feature_size_ * base_length / filtered_length, stroke_size);
   const double spacing =
       std::max(filtered_length / parameters.samples, feature_size_ / kMostSamplesPerFeature);
+  const bool rounds_corners = parameters.shape_weight > 0;
+  std::size_t lane_count = 1;
   for (const Pair& pair : pairs) {
     const Polyline plain = pair.closed ? closed_again(*pair.unfiltered) : *pair.unfiltered;
     Sweep sweep(plain, parameters.smoothing * feature_along_, feature_along_,
                 parameters.invariance);
-    const SampledCurve samples = sampled_filtered(pair, spacing);
-    const RoundedCorners rounded = parameters.shape_weight > 0
-                                       ? RoundedCorners(plain, samples, feature_along_)
-                                       : RoundedCorners();
-    std::vector<ExampleLine::Sample> offsets = offsets_from(sweep, samples, rounded);
-    lines_.emplace_back(std::move(sweep), std::move(offsets));
+    std::vector<Lane> lanes =
+        lanes_of(sweep, pair.strokes, {plain, spacing, feature_along_, rounds_corners});
+    lane_count = std::max(lane_count, lanes.size());
+    lines_.emplace_back(std::move(sweep), std::move(lanes));
   }
+  for (ExampleLine& line : lines_) line.add_empty_lanes(lane_count);
   reach_ = stray(lines_);
+  features_ = examples.front().features;
+  measure_features();
   cut_into_states();
+}
+
+void Example::measure_features() {
+  for (std::size_t feature = 0; feature < features_.size(); ++feature) {
+    double sum = 0, squares = 0, count = 0, low = HUGE_VAL, high = -HUGE_VAL;
+    for (const double value : values_of(lines_, feature)) {
+      sum += value;
+      squares += value * value;
+      count += 1;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    const double mean = sum / count;
+    const double variance = high > low ? std::max(0.0, squares / count - mean * mean) : 0;
+    const bool is_length = features_[feature].kind == FeatureKind::kLength;
+    statistics_.push_back({mean, std::sqrt(variance), is_length ? high : high - low});
+  }
 }
 
 void Example::cut_into_states() {

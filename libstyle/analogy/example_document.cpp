@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
+#include "libstyle/analogy/strokes.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/flatten.h"
@@ -19,6 +21,8 @@ constexpr std::size_t kTellingVertices = 8;  // that many are hardly the same nu
 
 struct ExampleCurve {
   Polyline polyline;
+  std::vector<LineFeature> features;
+  std::vector<std::vector<double>> values;  // of the features at each point
   std::vector<double> vertices;  // the place of each point among the vertices of its path
   std::vector<double> t;         // given along the curve; may be empty
   std::size_t vertex_count = 0;
@@ -32,7 +36,12 @@ void append_curves(std::vector<ExampleCurve>& curves, const PathRecord& record, 
   const std::vector<double>* t = record.along.find("t");
   for (const FlattenedSubpath& flat : flatten(record.path, tolerance)) {
     if (flat.polyline.points.size() < 2 || !(arc_length(flat.polyline) > 0)) continue;
-    ExampleCurve curve{flat.polyline, {}, {}, count_vertices(flat)};
+    ExampleCurve curve{flat.polyline,       line_features(record.along), {}, {}, {},
+                       count_vertices(flat)};
+    for (const LineFeature& feature : curve.features) {
+      curve.values.push_back(values_along(flat.places, feature_values(record.along, feature)));
+      round_to_writable(curve.values.back(), feature);  // as a style document keeps them
+    }
     const std::size_t first = flat.places.front().start_vertex;
     for (const PathPlace& place : flat.places) {
       curve.vertices.push_back(static_cast<double>(place.start_vertex - first) + place.t);
@@ -57,6 +66,24 @@ std::vector<ExampleCurve> curves_of(const Document& document) {
 
 std::string counted(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " curve" : " curves");
+}
+
+// What all the curves have.
+std::vector<LineFeature> features_of(std::span<const ExampleCurve> curves) {
+  std::vector<std::vector<LineFeature>> each;
+  for (const ExampleCurve& curve : curves) each.push_back(curve.features);
+  return common_features(each);
+}
+
+void add_features(ExamplePair& pair, const ExampleCurve& filtered,
+                  const std::vector<LineFeature>& features) {
+  pair.features = features;
+  pair.filtered.channels.clear();
+  for (const LineFeature& feature : features) {
+    const auto own = std::ranges::find(filtered.features, feature);
+    pair.filtered.channels.push_back(
+        filtered.values[static_cast<std::size_t>(own - filtered.features.begin())]);
+  }
 }
 
 SampledCurve with_parameter(const ExampleCurve& curve, const std::vector<double>& t) {
@@ -85,6 +112,40 @@ ExamplePair make_pair(const ExampleCurve& unfiltered, const ExampleCurve& filter
   return pair;
 }
 
+std::vector<Polyline> polylines_of(std::span<const ExampleCurve> curves) {
+  std::vector<Polyline> result;
+  for (const ExampleCurve& curve : curves) result.push_back(curve.polyline);
+  return result;
+}
+
+// Every filtered curve is a stroke of the unfiltered one that it lies along.
+std::vector<ExamplePair> pairs_of_strokes(std::span<const ExampleCurve> before,
+                                          std::span<const ExampleCurve> after) {
+  const std::vector<LineFeature> features = features_of(after);
+  const std::vector<std::size_t> lines =
+      lines_of_strokes(polylines_of(before), polylines_of(after));
+  std::vector<ExamplePair> pairs;
+  for (std::size_t line = 0; line < before.size(); ++line) {
+    std::optional<ExamplePair> pair;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (lines[i] != line) continue;
+      ExamplePair own = make_pair(before[line], after[i]);
+      add_features(own, after[i], features);
+      if (pair) {
+        pair->others.push_back(std::move(own.filtered));
+      } else {
+        pair = std::move(own);
+      }
+    }
+    if (!pair) {
+      throw Error("no stroke of the filtered example lies along the unfiltered curve " +
+                  std::to_string(line + 1) + "; draw each of them");
+    }
+    pairs.push_back(std::move(*pair));
+  }
+  return pairs;
+}
+
 }  // namespace
 
 PathRecord painted_like(const Document& example) {
@@ -110,10 +171,12 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
   const std::vector<ExampleCurve> after = curves_of(filtered);
   if (after.empty())
     throw Error("the filtered example has no curve; draw one that shows the style");
+  const std::vector<LineFeature> features = features_of(after);
   std::vector<ExamplePair> pairs;
   if (!unfiltered) {
     for (const ExampleCurve& curve : after) {
       pairs.push_back({std::nullopt, with_length_parameter(curve.polyline), false});
+      add_features(pairs.back(), curve, features);
     }
     return pairs;
   }
@@ -122,11 +185,15 @@ std::vector<ExamplePair> example_pairs(const Document* unfiltered, const Documen
     throw Error(
         "the unfiltered example has no curve; draw one for each filtered one, or leave it out");
   }
+  if (before.size() < after.size()) return pairs_of_strokes(before, after);
   if (before.size() != after.size()) {
     throw Error("the unfiltered example has " + counted(before.size()) + ", the filtered one " +
                 counted(after.size()) + "; draw one for one, in the same order");
   }
-  for (std::size_t i = 0; i < after.size(); ++i) pairs.push_back(make_pair(before[i], after[i]));
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    pairs.push_back(make_pair(before[i], after[i]));
+    add_features(pairs.back(), after[i], features);
+  }
   return pairs;
 }
 

@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kReach = 8;  // taps to each side
 constexpr std::size_t kTaps = 2 * kReach + 1;
-constexpr std::size_t kComponents = 4;  // offset and tangent
+constexpr std::size_t kComponents = 4;  // offset and tangent of a lane, before its features
 constexpr double kTapsPerFeature = 4;
+constexpr double kFeatureWeight = 0.1;  // a squared spread, in squared feature sizes
 
 constexpr std::size_t kMaxJumps = 16;     // the best of a state; more are hardly ever taken
 constexpr double kApart = 2;              // feature sizes between different places
@@ -28,39 +29,70 @@ double tap_weight(std::size_t tap) {
 }  // namespace
 
 struct JumpCosts::Window {
-  std::array<std::array<double, kComponents>, kTaps> features;
+  std::array<std::vector<double>, kTaps> components;
   std::array<bool, kTaps> present;
 };
 
 JumpCosts::JumpCosts(const Example& example)
     : example_(example),
-      features_(kTaps * kComponents * example.state_count()),
+      components_(example.lane_count() * (kComponents + example.features().size())),
+      windows_(kTaps * components_ * example.state_count()),
       present_(kTaps * example.state_count()) {
+  weigh_features();
   const std::size_t states = example.state_count();
   for (std::size_t j = 0; j < states; ++j) {
     const Window window = window_at(example.line(j), example.length_of(j));
     for (std::size_t tap = 0; tap < kTaps; ++tap) {
       present_[tap * states + j] = window.present[tap] ? 1.0 : 0.0;
-      for (std::size_t c = 0; c < kComponents; ++c) {
-        features_[(tap * kComponents + c) * states + j] = window.features[tap][c];
+      for (std::size_t c = 0; c < components_; ++c) {
+        windows_[(tap * components_ + c) * states + j] = window.components[tap][c];
       }
     }
+  }
+}
+
+// The parts of a colour share one spread.
+void JumpCosts::weigh_features() {
+  const std::span<const LineFeature> features = example_.features();
+  for (const LineFeature& feature : features) {
+    double variance = 0;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const double spread = example_.statistics(i).spread;
+      if (features[i].name == feature.name) variance += spread * spread;
+    }
+    const double size = std::sqrt(kFeatureWeight) * example_.feature_size();
+    feature_weights_.push_back(variance > 0 ? size / std::sqrt(variance) : 0);
   }
 }
 
 JumpCosts::Window JumpCosts::window_at(const ExampleLine& line, double length) const {
   Window window;
   const double spacing = example_.feature_along() / kTapsPerFeature;
-  const double size = example_.feature_size();
   const double slack = 1e-9 * line.length();
   for (std::size_t tap = 0; tap < kTaps; ++tap) {
     const double place = length + (static_cast<double>(tap) - kReach) * spacing;
     window.present[tap] = line.goes_round() || (place >= -slack && place <= line.length() + slack);
-    const ExampleLine::Sample sample = line.at(place);
-    window.features[tap] = {sample.offset.x, sample.offset.y, size * sample.tangent.x,
-                            size * sample.tangent.y};
+    for (const Lane& lane : line.lanes()) append_components(window.components[tap], lane, place);
   }
   return window;
+}
+
+// A lane with the pen up is nothing: against one with the pen down it counts the offset there and,
+// as the tangent, a squared feature size.
+void JumpCosts::append_components(std::vector<double>& components, const Lane& lane,
+                                  double length) const {
+  const std::size_t end = components.size() + components_ / example_.lane_count();
+  if (lane.is_down(length)) {
+    const Lane::Sample sample = lane.at(length);
+    const double size = example_.feature_size();
+    components.insert(components.end(), {sample.offset.x, sample.offset.y, size * sample.tangent.x,
+                                         size * sample.tangent.y});
+    const std::vector<double> features = lane.features_at(length);
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      components.push_back(feature_weights_[i] * (features[i] - example_.statistics(i).mean));
+    }
+  }
+  components.resize(end);
 }
 
 void JumpCosts::compare(const Window& window, std::span<double> costs) const {
@@ -70,9 +102,9 @@ void JumpCosts::compare(const Window& window, std::span<double> costs) const {
   for (std::size_t tap = 0; tap < kTaps; ++tap) {
     if (!window.present[tap]) continue;
     std::ranges::fill(sums, 0.0);
-    for (std::size_t c = 0; c < kComponents; ++c) {
-      const double* other = &features_[(tap * kComponents + c) * states];
-      const double own = window.features[tap][c];
+    for (std::size_t c = 0; c < components_; ++c) {
+      const double* other = &windows_[(tap * components_ + c) * states];
+      const double own = window.components[tap][c];
       for (std::size_t j = 0; j < states; ++j) sums[j] += (other[j] - own) * (other[j] - own);
     }
     const double* present = &present_[tap * states];

@@ -4,7 +4,10 @@
 // Two places of the filtered curve are compared by what surrounds them: 17 samples over two feature
 // sizes to each side, weighted by a Gaussian, each the offset from the unfiltered curve and the
 // tangent, both in the frame. Tangents count with the square of the feature size, which brings both
-// to px^2. At the ends of a line the samples that exist decide.
+// to px^2. At the ends of a line the samples that exist decide. Features of the line, such as its
+// width, count a little too, in units of their spread over the example, so that they do not leap.
+// Where lines are drawn as several strokes, all lanes are compared, and the pen up in one place and
+// down in the other counts.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +32,16 @@ class JumpCosts {
  private:
   struct Window;
 
+  void weigh_features();
+  void append_components(std::vector<double>& components, const Lane& lane, double length) const;
   Window window_at(const ExampleLine& line, double length) const;
   void compare(const Window& window, std::span<double> costs) const;
 
   const Example& example_;
-  std::vector<double> features_;  // [tap][component][state], at the beginnings of the states
-  std::vector<double> present_;   // [tap][state]: 1 where the sample exists, else 0
+  std::vector<double> feature_weights_;  // px for a unit of each feature
+  std::size_t components_;
+  std::vector<double> windows_;  // [tap][component][state], at the beginnings of the states
+  std::vector<double> present_;  // [tap][state]: 1 where the sample exists, else 0
 };
 
 // The chain over the states of an example, for runs of `mean_run` feature sizes on average.

@@ -105,6 +105,21 @@ std::vector<ChainRun> find_runs(const Example& example, const SearchedCurve& dra
   return runs;
 }
 
+std::vector<std::vector<double>> copied_features(const Example& example, const SearchedCurve& drawn,
+                                                 double scale) {
+  const std::span<const LineFeature> features = example.features();
+  std::vector<std::vector<double>> result(features.size());
+  for (const SearchedCurve::Source& source : drawn.sources) {
+    const ExampleLine& line = example.lines()[source.example];
+    const std::vector<double> values = line.lane(0).features_at(source.t * line.length());
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const bool is_length = features[i].kind == FeatureKind::kLength;
+      result[i].push_back(is_length ? scale * values[i] : values[i]);
+    }
+  }
+  return result;
+}
+
 double longest_curve(const GreedySearch& search) { return kMostSpacings * search.finest_spacing(); }
 
 StyleSummary::Search summarize(const GreedySearch& search, const SearchParameters& parameters) {
@@ -129,7 +144,8 @@ LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
   const SearchedCurve drawn =
       search_.draw(scaled(with_length_parameter(line), 1 / scale), to_scale, place, variant);
 
-  Result result{{scaled(drawn.curve, scale).polyline, {}}, find_runs(example_, drawn)};
+  Result result{{scaled(drawn.curve, scale).polyline, {}, copied_features(example_, drawn, scale)},
+                find_runs(example_, drawn)};
   for (const double t : drawn.curve.t) result.line.lengths.push_back(t * along.total());
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (given[i].weight) continue;

@@ -22,6 +22,10 @@ SearchParameters search_parameters(const CurveAnalogyParameters& parameters);
 // What was copied, as pieces of the example on a line of as many steps.
 std::vector<ChainRun> find_runs(const Example& example, const SearchedCurve& drawn);
 
+// The features of the places that the vertices were copied from, with the style at a scale.
+std::vector<std::vector<double>> copied_features(const Example& example, const SearchedCurve& drawn,
+                                                 double scale);
+
 // A longer curve would take minutes: half a millisecond for each of its vertices, and more as the
 // paper has it.
 double longest_curve(const GreedySearch& search);

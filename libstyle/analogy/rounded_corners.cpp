@@ -84,6 +84,8 @@ RoundedCorners::RoundedCorners(const Polyline& plain, const SampledCurve& filter
   const std::vector<double> lengths = cumulative_lengths(plain);
   const std::vector<Point>& points = plain.points;
   for (const std::size_t i : find_corners(plain, {kLeastTurn, kReach * feature / 2})) {
+    const bool is_passed = lengths[i] >= filtered.t.front() && lengths[i] <= filtered.t.back();
+    if (!closed_ && !is_passed) continue;
     const Point before = points[i > 0 ? i - 1 : points.size() - 1];
     const Point after = points[i + 1 < points.size() ? i + 1 : 0];
     const double turn = std::abs(turning_angle(points[i] - before, after - points[i]));

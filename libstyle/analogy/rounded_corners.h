@@ -8,7 +8,7 @@
 //
 // The sigma is the one that makes of the corner of the plain line one that bends as the filtered
 // curve does at its sharpest near there; it fades to 0 beside it. Corners that the filtered curve
-// keeps have none, so that A' = A still gives back B.
+// keeps, or that it does not reach, have none, so that A' = A still gives back B.
 #pragma once
 
 #include <span>

@@ -47,8 +47,8 @@ class PlacedRuns {
     double right_share = 0;
   };
 
-  // `closed`: the last run leads on to the first, so it also lies before it, and the first after
-  // it.
+  // `closed`: the last run leads on to the first, so all of them also lie before it, and again
+  // after the last.
   PlacedRuns(const Example& example, std::span<const ChainRun> runs, std::size_t steps,
              bool closed);
 
@@ -56,21 +56,33 @@ class PlacedRuns {
   // The length along its example that a run copies at x; beyond the run as it would go on.
   double length_at(const Placed& run, double x) const;
 
-  Blend blend_at(double x) const;
-  Vector offset_at(const Blend& blend, double x) const;
-  double blur_at(const Blend& blend, double x) const;
+  // What is said of a lane is said of a single filtered curve, too.
+
+  // Of two runs one has all where the other has the pen up.
+  Blend blend_at(double x, std::size_t lane = 0) const;
+  Vector offset_at(const Blend& blend, double x, std::size_t lane = 0) const;
+  double blur_at(const Blend& blend, double x, std::size_t lane = 0) const;
+  // The features of the example, in its size.
+  std::vector<double> features_at(const Blend& blend, double x, std::size_t lane = 0) const;
 
   // Coordinates from 0 to below `steps` at which the example has samples, or one run follows
   // another; rising, and never closer than kSamePlace.
-  std::vector<double> sample_coordinates(double steps) const;
+  std::vector<double> sample_coordinates(double steps, std::size_t lane = 0) const;
+
+  // Where the pen is down, from 0 to `steps`; on a closed line what passes the seam goes on beyond
+  // it. Crumbs that a jump or an end has left of a stroke, shorter than `crumb`, are not there.
+  std::vector<Lane::Stroke> strokes(double steps, std::size_t lane, double crumb) const;
 
  private:
-  void add(const ChainRun& run, double shift);
+  void add(std::span<const ChainRun> runs, double shift);
+  Blend runs_at(double x) const;
   Blend fade(std::size_t left, double x) const;
-  Vector offset_of(const Placed& run, double x) const;
-  double blur_of(const Placed& run, double x) const;
+  double coordinate_of(const Placed& run, double length) const {
+    return run.begin + (length - run.length) / example_.step();
+  }
 
   const Example& example_;
+  bool closed_;
   std::vector<Placed> placed_;
 };
 

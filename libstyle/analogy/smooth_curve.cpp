@@ -5,12 +5,15 @@
 #include <cmath>
 #include <span>
 
+#include "libstyle/analogy/feature_vertices.h"
 #include "libstyle/geometry/cubic_fit.h"
 
 namespace libstyle {
 namespace {
 
-constexpr double kGrid = 1e4;  // coordinates to a px
+constexpr double kGrid = 1e4;               // coordinates to a px
+constexpr double kFitTolerance = 0.01;      // of a feature size
+constexpr double kFeatureTolerance = 0.02;  // of the extent of a feature
 
 Point on_grid(Point p) {
   const Point rounded = {std::round(p.x * kGrid) / kGrid, std::round(p.y * kGrid) / kGrid};
@@ -45,12 +48,37 @@ void append_fit(SmoothCurve& result, const CubicFit& fit, std::span<const std::s
   }
 }
 
-// The points from `first` to `last`, on round if the curve is closed.
-Polyline stretch(const Polyline& curve, std::size_t first, std::size_t last) {
-  Polyline result;
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = first; i <= last; ++i) result.points.push_back(curve.points[i % n]);
+// What is between two points of a curve.
+struct Stretch {
+  Polyline curve;
+  std::vector<std::vector<double>> features;
+};
+
+// From `first` to `last`, on round if the curve is closed.
+Stretch stretch(const StyledCurve& drawn, std::size_t first, std::size_t last) {
+  Stretch result;
+  const std::size_t n = drawn.curve.points.size();
+  for (std::size_t i = first; i <= last; ++i) {
+    result.curve.points.push_back(drawn.curve.points[i % n]);
+  }
+  for (const std::vector<double>& values : drawn.features) {
+    std::vector<double>& own = result.features.emplace_back();
+    for (std::size_t i = first; i <= last; ++i) own.push_back(values[i % n]);
+  }
   return result;
+}
+
+CubicFit fit(const Polyline& curve, std::span<const std::vector<double>> features,
+             const FitTolerances& tolerances, std::span<const std::size_t> pinned) {
+  return with_feature_vertices(fit_cubics(curve, {.tolerance = tolerances.distance}, pinned), curve,
+                               features, tolerances.features);
+}
+
+void append_features(SmoothCurve& result, const StyledCurve& drawn, std::size_t point) {
+  result.features.resize(drawn.features.size());
+  for (std::size_t i = 0; i < drawn.features.size(); ++i) {
+    result.features[i].push_back(drawn.features[i][point]);
+  }
 }
 
 // The points that the fit of a stretch has to pass exactly, counted from its first.
@@ -66,27 +94,42 @@ std::vector<std::size_t> pinned_on(const StyledCurve& drawn, std::size_t first, 
 
 }  // namespace
 
-SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length, double tolerance) {
+FitTolerances fit_tolerances(const Example& example, double scale) {
+  FitTolerances result{kFitTolerance * example.feature_size() * scale, {}};
+  for (std::size_t i = 0; i < example.features().size(); ++i) {
+    const bool is_length = example.features()[i].kind == FeatureKind::kLength;
+    result.features.push_back(kFeatureTolerance * example.statistics(i).extent *
+                              (is_length ? scale : 1));
+  }
+  return result;
+}
+
+SmoothCurve smooth_curve(const StyledCurve& drawn, double total_length,
+                         const FitTolerances& tolerances) {
   const std::size_t n = drawn.curve.points.size();
   const bool closed = drawn.curve.closed;
   std::vector<std::size_t> breaks = drawn.corners;
   SmoothCurve result;
   if (closed && breaks.empty()) {
-    const CubicFit whole = fit_cubics(drawn.curve, {.tolerance = tolerance}, drawn.pinned);
+    const CubicFit whole = fit(drawn.curve, drawn.features, tolerances, drawn.pinned);
     append_fit(result, whole, drawn.pinned);
-    for (const std::size_t i : whole.points) result.lengths.push_back(drawn.lengths[i]);
+    for (const std::size_t i : whole.points) {
+      result.lengths.push_back(drawn.lengths[i]);
+      append_features(result, drawn, i);
+    }
     return result;
   }
   if (!closed && (breaks.empty() || breaks.front() != 0)) breaks.insert(breaks.begin(), 0);
   breaks.push_back(closed ? breaks.front() + n : n - 1);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const auto [curve, features] = stretch(drawn, breaks[k], breaks[k + 1]);
     const std::vector<std::size_t> pinned = pinned_on(drawn, breaks[k], breaks[k + 1]);
-    const CubicFit part = fit_cubics(stretch(drawn.curve, breaks[k], breaks[k + 1]),
-                                     {.tolerance = tolerance}, pinned);
+    const CubicFit part = fit(curve, features, tolerances, pinned);
     append_fit(result, part, pinned);
     for (std::size_t i = k == 0 ? 0 : 1; i < part.points.size(); ++i) {
       const std::size_t point = breaks[k] + part.points[i];
       result.lengths.push_back(drawn.lengths[point % n] + (point < n ? 0 : total_length));
+      append_features(result, drawn, point % n);
     }
   }
   if (closed) result.path.close();

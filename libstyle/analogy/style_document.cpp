@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "libstyle/analogy/example_document.h"
+#include "libstyle/analogy/line_features.h"
 #include "libstyle/base/error.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/path_segments.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::string_view kVersionKey = "style";
 constexpr std::string_view kVersion = "1";
-constexpr std::string_view kFiltered = "filtered", kUnfiltered = "unfiltered";
+constexpr std::string_view kFiltered = "filtered", kUnfiltered = "unfiltered", kStroke = "stroke";
 constexpr std::string_view kParameter = "t";
 constexpr Color kPlainColor = {160, 160, 160};  // of unfiltered curves, when one looks at a style
 
@@ -27,13 +28,36 @@ const Extra* version_of(const Document& document) {
   return extra == document.header.extras.end() ? nullptr : &*extra;
 }
 
-PathRecord record_of(const SampledCurve& curve, bool has_parameter, std::string_view label,
-                     PathRecord paint) {
+PathRecord record_of(const SampledCurve& curve, std::span<const LineFeature> features,
+                     std::string_view label, PathRecord paint) {
   PathRecord record = std::move(paint);
   record.label = label;
   record.path = to_path(curve.polyline);
-  if (has_parameter) record.along.channels.push_back({std::string(kParameter), curve.t});
+  set_features(record.along, features, curve.channels);
   return record;
+}
+
+void add_parameter(PathRecord& record, const SampledCurve& curve) {
+  record.along.channels.push_back({std::string(kParameter), curve.t});
+}
+
+void append_pair(Document& document, const ExamplePair& pair, const PathRecord& paint,
+                 const PathRecord& plain_paint) {
+  PathRecord filtered = record_of(pair.filtered, pair.features, kFiltered, paint);
+  if (!pair.unfiltered) {
+    document.records.emplace_back(std::move(filtered));
+    return;
+  }
+  PathRecord unfiltered = record_of(*pair.unfiltered, {}, kUnfiltered, plain_paint);
+  if (pair.same_parameter && pair.others.empty()) {
+    add_parameter(filtered, pair.filtered);
+    add_parameter(unfiltered, *pair.unfiltered);
+  }
+  document.records.emplace_back(std::move(filtered));
+  document.records.emplace_back(std::move(unfiltered));
+  for (const SampledCurve& stroke : pair.others) {
+    document.records.emplace_back(record_of(stroke, pair.features, kStroke, paint));
+  }
 }
 
 // A path of one subpath that consists of lines, as the curve it was.
@@ -64,6 +88,40 @@ SampledCurve curve_of(const PathRecord& record) {
 
 bool has_parameter(const PathRecord& record) { return record.along.find(kParameter) != nullptr; }
 
+SampledCurve curve_of(const PathRecord& record, std::span<const LineFeature> features) {
+  SampledCurve curve = curve_of(record);
+  for (const LineFeature& feature : features) {
+    curve.channels.push_back(feature_values(record.along, feature));
+  }
+  return curve;
+}
+
+// What goes along all filtered curves and strokes.
+std::vector<LineFeature> features_of(const Document& style) {
+  std::vector<std::vector<LineFeature>> each;
+  for (const Record& record : style.records) {
+    const auto* path = std::get_if<PathRecord>(&record);
+    if (path && path->label != kUnfiltered) each.push_back(line_features(path->along));
+  }
+  return common_features(each);
+}
+
+void add_unfiltered(ExamplePair& pair, const PathRecord& unfiltered, const PathRecord& filtered) {
+  if (has_parameter(unfiltered) != has_parameter(filtered)) {
+    throw Error({{}, unfiltered.line}, "\"t\" is along one path of a pair and not along the other");
+  }
+  pair.unfiltered = curve_of(unfiltered);
+  pair.same_parameter = has_parameter(unfiltered);
+}
+
+void add_stroke(ExamplePair& pair, const PathRecord& stroke,
+                std::span<const LineFeature> features) {
+  if (pair.same_parameter || has_parameter(stroke)) {
+    throw Error({{}, stroke.line}, "several strokes of one path of a style have no \"t\"");
+  }
+  pair.others.push_back(curve_of(stroke, features));
+}
+
 }  // namespace
 
 Document style_document(std::span<const ExamplePair> pairs, const Document& filtered) {
@@ -75,12 +133,7 @@ Document style_document(std::span<const ExamplePair> pairs, const Document& filt
   const PathRecord paint = painted_like(filtered);
   PathRecord plain_paint;
   plain_paint.style.stroke = kPlainColor;
-  for (const ExamplePair& pair : pairs) {
-    const bool is_tied = pair.unfiltered && pair.same_parameter;
-    document.records.emplace_back(record_of(pair.filtered, is_tied, kFiltered, paint));
-    if (!pair.unfiltered) continue;
-    document.records.emplace_back(record_of(*pair.unfiltered, is_tied, kUnfiltered, plain_paint));
-  }
+  for (const ExamplePair& pair : pairs) append_pair(document, pair, paint, plain_paint);
   return document;
 }
 
@@ -94,25 +147,24 @@ std::vector<ExamplePair> style_pairs(const Document& style) {
                                              ", but only version " + std::string(kVersion) +
                                              " is known; make it again with --save-style");
   }
+  const std::vector<LineFeature> features = features_of(style);
   std::vector<ExamplePair> pairs;
   const PathRecord* filtered = nullptr;  // the record before, if it waits for its unfiltered curve
   for (const Record& record : style.records) {
     const auto* path = std::get_if<PathRecord>(&record);
     if (!path) continue;
     if (path->label == kFiltered) {
-      pairs.push_back({std::nullopt, curve_of(*path), false});
+      pairs.push_back({std::nullopt, curve_of(*path, features), false, features});
       filtered = path;
     } else if (path->label == kUnfiltered && filtered) {
-      if (has_parameter(*path) != has_parameter(*filtered)) {
-        throw Error({{}, path->line}, "\"t\" is along one path of a pair and not along the other");
-      }
-      pairs.back().unfiltered = curve_of(*path);
-      pairs.back().same_parameter = has_parameter(*path);
+      add_unfiltered(pairs.back(), *path, *filtered);
       filtered = nullptr;
+    } else if (path->label == kStroke && !pairs.empty() && pairs.back().unfiltered) {
+      add_stroke(pairs.back(), *path, features);
     } else {
       throw Error({{}, path->line},
                   "a path of a style has the label \"filtered\", or \"unfiltered\" after one that "
-                  "has the label \"filtered\"");
+                  "has the label \"filtered\", or \"stroke\" after these two");
     }
   }
   if (pairs.empty()) throw Error("the style has no path with the label \"filtered\"");

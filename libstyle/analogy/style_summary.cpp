@@ -7,13 +7,26 @@
 
 namespace libstyle {
 
+namespace {
+
+Polyline stroke_on_page(const Sweep& sweep, std::span<const Lane::Sample> samples) {
+  Polyline curve;
+  for (const Lane::Sample& sample : samples) {
+    curve.points.push_back(sweep.point_at(sample.length, sample.blur) +
+                           to_page(sample.offset, sweep.frame_at(sample.length)));
+  }
+  return curve;
+}
+
+}  // namespace
+
 std::vector<Polyline> filtered_curves(const Example& example) {
   std::vector<Polyline> curves;
   for (const ExampleLine& line : example.lines()) {
-    Polyline& curve = curves.emplace_back();
-    for (const ExampleLine::Sample& sample : line.samples()) {
-      curve.points.push_back(line.sweep().point_at(sample.length) +
-                             to_page(sample.offset, line.sweep().frame_at(sample.length)));
+    for (const Lane& lane : line.lanes()) {
+      for (std::size_t i = 0; i < lane.strokes().size(); ++i) {
+        curves.push_back(stroke_on_page(line.sweep(), lane.samples_of(i)));
+      }
     }
   }
   return curves;
@@ -26,7 +39,9 @@ StyleSummary summarize(const Example& example, const JumpModel& jumps,
   summary.parameters = parameters;
   summary.lines = example.lines().size();
   double segments = 0;
-  for (const Polyline& curve : filtered_curves(example)) {
+  const std::vector<Polyline> filtered = filtered_curves(example);
+  summary.strokes = filtered.size();
+  for (const Polyline& curve : filtered) {
     summary.filtered_length += arc_length(curve);
     segments += static_cast<double>(segment_count(curve));
   }

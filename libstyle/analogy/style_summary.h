@@ -17,6 +17,7 @@ struct StyleSummary {
 
   // The example: pairs of curves, and their lengths, all taken together.
   std::size_t lines = 0;
+  std::size_t strokes = 0;  // filtered curves: more than lines where these are several strokes
   double filtered_length = 0;
   double unfiltered_length = 0;
 

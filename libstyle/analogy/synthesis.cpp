@@ -39,25 +39,38 @@ constexpr double kRepeatFactor = 0.03;    // for each time that a place was used
 constexpr double kSpareSteps = 1.15;
 
 // The example as its own line, along which it has no offsets: what is left to compare is tangents.
-std::vector<ExamplePair> pairs_of(std::span<const Polyline> examples) {
-  std::vector<ExamplePair> pairs;
-  for (const Polyline& example : examples) {
-    const SampledCurve curve = with_length_parameter(example);
-    pairs.push_back({curve, curve, true});
+std::vector<ExamplePair> own_lines(std::vector<ExamplePair> pairs) {
+  for (ExamplePair& pair : pairs) {
+    pair.unfiltered = with_length_parameter(pair.filtered.polyline);
+    pair.filtered.t = pair.unfiltered->t;
+    pair.same_parameter = true;
+    pair.others.clear();
   }
   return pairs;
 }
 
-CurveAnalogyParameters synthesis_parameters(std::span<const Polyline> examples,
+std::vector<ExamplePair> pairs_of(std::span<const Polyline> examples) {
+  std::vector<ExamplePair> pairs;
+  for (const Polyline& example : examples) {
+    pairs.push_back({std::nullopt, with_length_parameter(example)});
+  }
+  return pairs;
+}
+
+CurveAnalogyParameters synthesis_parameters(std::span<const ExamplePair> examples,
                                             CurveAnalogyParameters parameters) {
   validate(parameters);
   parameters.smoothing = 0;
+  std::vector<Polyline> curves;
   double length = 0;
-  for (const Polyline& example : examples) length += arc_length(example);
+  for (const ExamplePair& example : examples) {
+    curves.push_back(example.filtered.polyline);
+    length += arc_length(curves.back());
+  }
   // Curves that cannot serve are refused by Example.
   if (!parameters.feature_size && length > 0 && std::isfinite(length)) {
     parameters.feature_size =
-        std::min(find_feature_size(examples, std::nullopt), kLargestFeature * length);
+        std::min(find_feature_size(curves, std::nullopt), kLargestFeature * length);
   }
   return parameters;
 }
@@ -100,6 +113,11 @@ class Moves {
   std::vector<Vector> turns_;
 };
 
+void append_features(SynthesizedCurve& drawn, const std::vector<double>& values) {
+  drawn.features.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) drawn.features[i].push_back(values[i]);
+}
+
 std::vector<SearchExample> search_examples(const Example& example) {
   std::vector<SearchExample> result;
   for (const Polyline& curve : filtered_curves(example)) {
@@ -108,15 +126,24 @@ std::vector<SearchExample> search_examples(const Example& example) {
   return result;
 }
 
+double value_at(std::span<const double> values, const PolylinePlace& place) {
+  return std::lerp(values[place.segment], values[place.segment + 1], place.fraction);
+}
+
 // The beginning of the curve, up to a length.
-Polyline cut(Polyline curve, double length) {
-  const ArcLength along(curve);
-  if (!(along.total() > length)) return curve;
-  const PolylinePlace end = along.place_at(length);
-  curve.points.resize(end.segment + 1);
+void cut(SynthesizedCurve& drawn, double length) {
+  const ArcLength along(drawn.curve);
+  if (!(along.total() > length)) return;
+  const PolylinePlace place = along.place_at(length);
   const Point last = along.point_at(length);
-  if (last != curve.points.back()) curve.points.push_back(last);
-  return curve;
+  const bool ends_between = last != drawn.curve.points[place.segment];
+  drawn.curve.points.resize(place.segment + 1);
+  if (ends_between) drawn.curve.points.push_back(last);
+  for (std::vector<double>& values : drawn.features) {
+    const double end = value_at(values, place);
+    values.resize(place.segment + 1);
+    if (ends_between) values.push_back(end);
+  }
 }
 
 // ---- Constraints --------------------------------------------------------------------------------
@@ -156,18 +183,26 @@ std::vector<Vector> moves_between(const Polyline& curve, std::span<const CurveCo
   return moves;
 }
 
-// The curve with points at these lengths, rising.
-Polyline with_points_at(const ArcLength& along, std::span<const double> lengths) {
-  Polyline result;
+// Gives the curve points at these lengths along it, rising.
+void add_points(SynthesizedCurve& drawn, const ArcLength& along, std::span<const double> lengths) {
+  std::vector<Point> points;
+  std::vector<std::vector<double>> features(drawn.features.size());
   auto next = lengths.begin();
   const std::span<const double> own = along.cumulative();
   for (std::size_t i = 0; i < own.size(); ++i) {
     for (; next != lengths.end() && *next <= own[i]; ++next) {
-      if (*next < own[i]) result.points.push_back(along.point_at(*next));
+      if (*next == own[i]) continue;
+      points.push_back(along.point_at(*next));
+      const PolylinePlace place = along.place_at(*next);
+      for (std::size_t f = 0; f < features.size(); ++f) {
+        features[f].push_back(value_at(drawn.features[f], place));
+      }
     }
-    result.points.push_back(along.polyline().points[i]);
+    points.push_back(drawn.curve.points[i]);
+    for (std::size_t f = 0; f < features.size(); ++f) features[f].push_back(drawn.features[f][i]);
   }
-  return result;
+  drawn.curve.points = std::move(points);
+  drawn.features = std::move(features);
 }
 
 void bend_through(SynthesizedCurve& drawn, std::span<const CurveConstraint> pins) {
@@ -180,7 +215,7 @@ void bend_through(SynthesizedCurve& drawn, std::span<const CurveConstraint> pins
     lengths.push_back(pin.t * before.total());
     targets.push_back({lengths.back(), pin.position - before.point_at(lengths.back())});
   }
-  drawn.curve = with_points_at(before, lengths);
+  add_points(drawn, before, lengths);
   const std::vector<double> along = cumulative_lengths(drawn.curve);
   const Warp warp(targets, kUnbent * before.total());
   for (std::size_t i = 0; i < along.size(); ++i) drawn.curve.points[i] += warp.at(along[i]);
@@ -198,9 +233,13 @@ void bend_through(SynthesizedCurve& drawn, std::span<const CurveConstraint> pins
 
 CurveSynthesis::CurveSynthesis(std::span<const Polyline> examples,
                                const CurveAnalogyParameters& parameters)
+    : CurveSynthesis(pairs_of(examples), parameters) {}
+
+CurveSynthesis::CurveSynthesis(std::span<const ExamplePair> examples,
+                               const CurveAnalogyParameters& parameters)
     : asked_(parameters),
       parameters_(synthesis_parameters(examples, parameters)),
-      example_(pairs_of(examples), parameters_),
+      example_(own_lines({examples.begin(), examples.end()}), parameters_),
       jumps_(make_jump_model(example_, parameters_.mean_run.value_or(kMeanRun), false)) {
   if (parameters_.method == AnalogyMethod::kGreedy) {
     search_.emplace(search_examples(example_), search_parameters(parameters_));
@@ -249,7 +288,8 @@ SynthesizedCurve CurveSynthesis::search(double length, std::uint64_t place, std:
                                         std::span<const CurveConstraint> constraints) const {
   refuse_distant(checked_constraints(constraints), length);
   const SearchedCurve drawn = search_->synthesize(length, constraints, place, variant);
-  SynthesizedCurve result{drawn.curve.polyline, find_runs(example_, drawn)};
+  SynthesizedCurve result{drawn.curve.polyline, copied_features(example_, drawn, 1),
+                          find_runs(example_, drawn)};
   result.is_placed = !constraints.empty();
   for (const CurveConstraint& constraint : checked_constraints(constraints)) {
     if (constraint.weight) continue;
@@ -279,11 +319,14 @@ SynthesizedCurve CurveSynthesis::walk(const Task& asked, std::uint64_t first_pla
   const Moves moves(runs);
   Point at;
   result.curve.points = {at};
+  append_features(result, runs.features_at(runs.blend_at(0), 0));
   for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
     at += moves.between(xs[i], xs[i + 1]);
-    if (at != result.curve.points.back()) result.curve.points.push_back(at);
+    if (at == result.curve.points.back()) continue;
+    result.curve.points.push_back(at);
+    append_features(result, runs.features_at(runs.blend_at(xs[i + 1]), xs[i + 1]));
   }
-  result.curve = cut(std::move(result.curve), asked.length);
+  cut(result, asked.length);
   return result;
 }
 

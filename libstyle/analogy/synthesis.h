@@ -58,18 +58,21 @@
 namespace libstyle {
 
 struct SynthesizedCurve {
-  Polyline curve;                     // open; begins at the origin unless there are constraints
-  std::vector<ChainRun> runs;         // what it was copied from
-  std::vector<std::size_t> pinned{};  // points where constraints want them exactly, rising
-  bool is_placed = false;             // constraints say where it lies
+  Polyline curve;  // open; begins at the origin unless there are constraints
+  std::vector<std::vector<double>> features;  // for each feature of the example and each point
+  std::vector<ChainRun> runs;                 // what it was copied from
+  std::vector<std::size_t> pinned{};          // points where constraints want them exactly, rising
+  bool is_placed = false;                     // constraints say where it lies
 };
 
 class CurveSynthesis {
  public:
   // Of the parameters seed, invariance, scale, feature_size, samples and mean_run count, and those
   // of the search if that is the method. Throws Error when one is out of range or an example cannot
-  // serve. Examples are cut where they close.
+  // serve. Examples that close have no seam.
   CurveSynthesis(std::span<const Polyline> examples, const CurveAnalogyParameters& parameters);
+  // The filtered curves of the pairs, with their features; not the further strokes.
+  CurveSynthesis(std::span<const ExamplePair> examples, const CurveAnalogyParameters& parameters);
 
   // A curve of this length, px of the drawing: > 0 and at most longest_curve(). `place` tells
   // curves of one seed apart, `variant` is added to the seed. Throws Error for other lengths. Safe

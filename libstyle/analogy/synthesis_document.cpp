@@ -12,21 +12,26 @@
 namespace libstyle {
 namespace {
 
-constexpr double kFitTolerance = 0.01;  // of a feature size, as for lines drawn again
-constexpr double kMargin = 0.02;        // of the longer side
+constexpr double kMargin = 0.02;  // of the longer side
 
 }  // namespace
 
-std::vector<Polyline> synthesis_examples(std::span<const ExamplePair> pairs) {
-  std::vector<Polyline> curves;
-  for (const ExamplePair& pair : pairs) curves.push_back(pair.filtered.polyline);
-  return curves;
+std::vector<ExamplePair> synthesis_examples(std::span<const ExamplePair> pairs) {
+  std::vector<ExamplePair> examples;
+  for (const ExamplePair& pair : pairs) {
+    examples.push_back({.unfiltered = {}, .filtered = pair.filtered, .features = pair.features});
+    for (const SampledCurve& stroke : pair.others) {
+      examples.push_back({.unfiltered = {}, .filtered = stroke, .features = pair.features});
+    }
+  }
+  return examples;
 }
 
 Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurve& made,
                               const Document& example) {
   StyledCurve drawn;
   drawn.curve = made.curve;
+  drawn.features = made.features;
   drawn.pinned = made.pinned;
   Box box;
   for (const Point p : drawn.curve.points) box.include(p);
@@ -41,9 +46,10 @@ Document synthesized_document(const CurveSynthesis& style, const SynthesizedCurv
   for (Point& p : drawn.curve.points) p += Point{before, before} - box.low;
   drawn.lengths = cumulative_lengths(drawn.curve);
 
-  path.path =
-      smooth_curve(drawn, arc_length(made.curve), kFitTolerance * style.example().feature_size())
-          .path;
+  const SmoothCurve smooth =
+      smooth_curve(drawn, arc_length(drawn.curve), fit_tolerances(style.example(), 1));
+  path.path = smooth.path;
+  set_features(path.along, style.example().features(), smooth.features);
   Document document;
   document.header.name = example.header.name;
   document.header.width = std::ceil(size.x + (before + margin));

@@ -11,8 +11,8 @@
 
 namespace libstyle {
 
-// The filtered curves of pairs.
-std::vector<Polyline> synthesis_examples(std::span<const ExamplePair> pairs);
+// The filtered curves of pairs, every stroke on its own, with what goes along them.
+std::vector<ExamplePair> synthesis_examples(std::span<const ExamplePair> pairs);
 
 // A page with one curve of a style, painted as the first path of `example`, with a small margin
 // round it. A placed curve keeps its place; the page then begins at the origin, and what goes

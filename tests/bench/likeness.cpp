@@ -68,9 +68,9 @@ CurveAnalogyParameters with_seed(std::size_t seed, Invariance invariance) {
   return parameters;
 }
 
-Trial make_new(const std::vector<Polyline>& examples, std::size_t seed) {
+Trial make_new(const std::vector<ExamplePair>& examples, std::size_t seed) {
   double length = 0;
-  for (const Polyline& example : examples) length += arc_length(example);
+  for (const ExamplePair& example : examples) length += arc_length(example.filtered.polyline);
   const CurveSynthesis style(examples, with_seed(seed, Invariance::kTranslate));
   const SynthesizedCurve drawn = style.draw(2 * length, 0);
   StyledCurve curve;
@@ -108,7 +108,7 @@ void measure(const std::string& file) {
   Document document;
   input.read(document);
   const std::vector<ExamplePair> pairs = example_pairs(nullptr, document);
-  const std::vector<Polyline> examples = synthesis_examples(pairs);
+  const std::vector<ExamplePair> examples = synthesis_examples(pairs);
   print_row(document.header.name, "new",
             all_seeds([&](std::size_t seed) { return make_new(examples, seed); }));
   print_row(document.header.name, "along",

@@ -41,6 +41,50 @@ command_case(curve-analogy/without-an-example
 command_case(curve-analogy/unfiltered-without-filtered
   RUN "curve-analogy --unfiltered styles/wavy-plain.svg --style sea=styles/wavy.svg drawings/harbour.svg" EXIT 2
   STDERR "~curve-analogy: give an example of the style: --filtered FILE, or --style WHAT=FILE.*")
+command_case(curve-analogy/a-brush-gives-widths-to-all-lines
+  RUN "curve-analogy --unfiltered styles/brush-plain.svg --filtered styles/brush.curves drawings/harbour.svg | grep -c '\"along\":{\"width\":'"
+  SAME "svg2curves drawings/harbour.svg | grep -c '\"type\":\"path\"'")
+command_case(curve-analogy/a-brush-from-nothing
+  RUN "curve-analogy --filtered styles/brush.curves --synthesize 900 | tail -n 1 | grep -o '\"along\":{\"width\":'"
+  SAME "echo '\"along\":{\"width\":'")
+
+# Strokes and frames.
+command_case(curve-analogy/a-broken-line-is-a-path-of-many-subpaths
+  RUN [[printf '{"curves":1}\n{"type":"path","id":"a","d":"M0 0 L600 0"}\n' | curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg | tail -n 1 | grep -c '"id":"a","d":"\(M[^M]*\)\{20,60\}"}']]
+  SAME "echo 1")
+command_case(curve-analogy/fewer-filtered-curves-than-unfiltered
+  RUN "curve-analogy --unfiltered styles/dashes.svg --filtered styles/dashes-plain.svg drawings/plan.svg" EXIT 1
+  STDERR "~curve-analogy: styles/dashes-plain.svg: the unfiltered example has .* curves, the filtered one 1 curve; .*")
+command_case(curve-analogy/greedy-does-not-draw-strokes
+  RUN "curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg --method greedy drawings/plan.svg" EXIT 1
+  STDERR "~curve-analogy: .*the greedy search draws a line as one stroke.*")
+command_case(curve-analogy/the-first-frame-is-the-drawing
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 1 drawings/plan.svg | tail -n +2"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg | tail -n +2")
+command_case(curve-analogy/coherent-frames-are-equal
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 1 drawings/plan.svg | grep -v '\"curves\":1' | sort | uniq"
+  SAME "curve-analogy --filtered styles/wavy.svg drawings/plan.svg | grep -v '\"curves\":1' | sort | uniq")
+command_case(curve-analogy/incoherent-frames-are-variants
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 0 drawings/plan.svg | grep -v '\"curves\":1'"
+  SAME "curve-analogy --filtered styles/wavy.svg --variants 3 drawings/plan.svg | grep -v '\"curves\":1'")
+command_case(curve-analogy/frames-on-one-thread-or-two
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --threads 1 drawings/plan.svg"
+  SAME "curve-analogy --filtered styles/wavy.svg --frames 3 --threads 2 drawings/plan.svg")
+command_case(curve-analogy/frames-are-numbered
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 drawings/plan.svg | grep -o '\"name\":\"[^\"]*\"'"
+  SAME "printf '\"name\":\"plan-1\"\n\"name\":\"plan-2\"\n'")
+command_case(curve-analogy/frames-and-variants
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --variants 2 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --frames does not go with --variants.*")
+command_case(curve-analogy/frames-of-shapes
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --shape-weight 2 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --frames is for lines that are drawn at random.*")
+command_case(curve-analogy/coherence-without-frames
+  RUN "curve-analogy --filtered styles/wavy.svg --coherence 0.5 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --coherence is for --frames.*")
+command_case(curve-analogy/coherence-out-of-range
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 2 --coherence 1.5 drawings/plan.svg" EXIT 2
+  STDERR "~curve-analogy: --coherence is 0 to 1.*")
 
 # Styles for parts. The sea of the harbour is four lines of class water in a layer "Sea".
 command_case(curve-analogy/a-class-a-layer-and-a-label-may-name-the-same
@@ -236,6 +280,10 @@ command_case(curve-analogy/keeps-going-with-nothing-writes-nothing
   RUN "curve-analogy --filtered styles/wavy.svg --keep-going -o $OUT/a broken/cut.curves; test $? = 1 && test ! -e $OUT/a"
   STDERR "~curve-analogy: broken/cut.curves:3: .*")
 
+command_case(curve-analogy/reports-every-frame
+  RUN "curve-analogy --unfiltered styles/dashes-plain.svg --filtered styles/dashes.svg --frames 2 --report - -o $OUT/a drawings/plan.svg | grep -o '\"name\":\"[^\"]*\",\"variant\":[0-9]*'"
+  SAME [[printf '"name":"%s","variant":%s\n' plan-1 1 plan-2 2]])
+
 # Styles that are kept.
 foreach(options
     "--filtered styles/wavy.svg"
@@ -244,7 +292,9 @@ foreach(options
     "--filtered styles/shaky.svg --invariance translate --feature-size 5 --smallest-scale 0.5"
     "--filtered styles/sketchy.svg --method greedy --samples 300 --kappa 1.5 --levels 4"
     "--unfiltered styles/grass-plain.svg --filtered styles/grass.svg --smoothing 1"
-    "--unfiltered pairs/corners-plain.svg --filtered pairs/corners.svg --shape-weight 2")
+    "--unfiltered pairs/corners-plain.svg --filtered pairs/corners.svg --shape-weight 2"
+    "--unfiltered styles/brush-plain.svg --filtered styles/brush.curves"
+    "--unfiltered styles/railway-plain.svg --filtered styles/railway.svg")
   string(MAKE_C_IDENTIFIER "${options}" name)
   command_case(curve-analogy/a-kept-style-draws-the-same-${name}
     RUN "curve-analogy ${options} --save-style $OUT/a.style && curve-analogy --style-file $OUT/a.style drawings/plan.svg | tail -n +2"
@@ -265,7 +315,7 @@ command_case(curve-analogy/options-win-over-a-kept-style
 command_case(curve-analogy/a-kept-style-says-what-it-is
   RUN "curve-analogy --filtered styles/wavy.svg --scale 2 --save-style - | head -n 1 | grep -o '\"style\":1,.*\"--scale\":2'"
   SAME [[echo '"style":1,"--seed":1,"--scale":2']])
-foreach(option "--style Sea=styles/wavy.svg" "--synthesize 900" "--variants 2" "drawings/plan.svg")
+foreach(option "--style Sea=styles/wavy.svg" "--synthesize 900" "--variants 2" "--frames 2" "drawings/plan.svg")
   string(MAKE_C_IDENTIFIER "${option}" name)
   command_case(curve-analogy/keeping-a-style-is-all-that-is-done-${name}
     RUN "curve-analogy --filtered styles/wavy.svg --save-style $OUT/a ${option}; test $? = 2 && test ! -e $OUT/a"
@@ -308,7 +358,7 @@ endforeach()
 command_case(curve-analogy/a-broken-style-file
   RUN [[printf '%s\n' '{"curves":1,"style":1}' '{"type":"path","label":"filtered","d":"M0 0 L50 9"}' '{"type":"path","label":"other","d":"M0 0 L50 9"}' > $OUT/a
         cd $OUT && curve-analogy --style sea=a]] EXIT 1
-  STDERR "curve-analogy: a:3: a path of a style has the label \"filtered\", or \"unfiltered\" after one that has the label \"filtered\"")
+  STDERR "curve-analogy: a:3: a path of a style has the label \"filtered\", or \"unfiltered\" after one that has the label \"filtered\", or \"stroke\" after these two")
 
 command_case(curve-analogy/synthesize-reads-nothing
   RUN "curve-analogy --filtered styles/coast.svg --synthesize 2000 --seed 3 | grep -c '\"type\":\"path\"'" SAME "echo 1")

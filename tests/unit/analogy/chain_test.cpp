@@ -59,18 +59,22 @@ std::map<Walk, double> enumerate(const ChainModel& model, const ChainTask& task)
       if (step > 0) weight *= transition_probability(model, walk[step - 1], walk[step]);
     }
     if (task.origin && walk.front() != *task.origin) continue;
-    if (task.returns) weight *= transition_probability(model, walk.back(), walk.front());
+    if (task.next) weight *= transition_probability(model, walk.back(), *task.next);
     if (weight > 0) weights[walk] = weight;
   }
   return weights;
+}
+
+ChainState random_state(RandomValues& random) {
+  return static_cast<ChainState>(random.below(kStates));
 }
 
 ChainTask random_task(RandomValues& random, std::uint64_t kind) {
   ChainTask task;
   task.steps = 4;
   if (kind % 2 == 1) task.costs = random_costs(random, task.steps);
-  if (kind % 3 > 0) task.origin = static_cast<ChainState>(random.below(kStates));
-  task.returns = kind % 3 == 2;
+  if (kind % 3 > 0) task.origin = random_state(random);
+  if (kind % 3 == 2) task.next = random.chance(0.5) ? *task.origin : random_state(random);
   return task;
 }
 
@@ -121,7 +125,7 @@ TEST(Chain, FindsTheMostProbableWalk) {
 TEST(Chain, SamplesTheSameWalkForTheSameStream) {
   RandomValues random(1);
   const ChainModel model = random_chain(random);
-  const ChainTask task{500, {}, {}, false};
+  const ChainTask task{500, {}, {}, {}};
   const RandomStream stream(7, 3);
   EXPECT_EQ(sample_chain(model, task, stream, 40), sample_chain(model, task, stream, 40));
   EXPECT_NE(sample_chain(model, task, stream, 40), sample_chain(model, task, stream, 41));
@@ -184,7 +188,7 @@ TEST(ChainVariety, StillReturnsToTheOrigin) {
   ChainTask task;
   task.steps = 50;
   task.origin = 4;
-  task.returns = true;
+  task.next = task.origin;
   for_each_seed(20, [&](std::uint64_t seed) {
     const Walk walk = sample_chain(model, task, RandomStream(seed, 0), 0, {10, 0.1});
     EXPECT_EQ(walk.front(), 4u);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -525,6 +526,326 @@ TEST(CurveAnalogy, AnExampleLeftOutIsTheBlurredOne) {
   EXPECT_LT(turning_distance(pair.filtered.polyline, drawn.curve, spacing), 0.06);
 }
 
+// ---- Features ---------------------------------------------------------------------------------
+
+// The wave in a width that wanders too, and with the length along the line.
+ExamplePair brush_pair() {
+  ExamplePair pair = wavy_pair();
+  pair.features = {{"width", FeatureKind::kLength}, {"x", FeatureKind::kNumber}};
+  pair.filtered.channels.resize(2);
+  for (const Point p : pair.filtered.polyline.points) {
+    pair.filtered.channels[0].push_back(3 + std::sin(p.x / 17) + 0.5 * std::sin(p.x / 7));
+    pair.filtered.channels[1].push_back(p.x);
+  }
+  return pair;
+}
+
+TEST(CurveAnalogy, AnExampleThatChangesNothingGivesBackItsFeatures) {
+  RandomValues random(8);
+  ExamplePair pair;
+  pair.filtered = with_length_parameter(random_stroke(random, 600));
+  pair.unfiltered = pair.filtered;
+  pair.same_parameter = true;
+  pair.features = {{"width", FeatureKind::kLength}};
+  pair.filtered.channels = {{}};
+  for (const double t : pair.filtered.t) {
+    pair.filtered.channels[0].push_back(3 + 2 * std::sin(40 * t));
+  }
+  CurveAnalogyParameters parameters;
+  parameters.shape_weight = 2;
+  parameters.smallest_scale = 1;
+  const StyledCurve drawn = draw_by_analogy(pair, pair.filtered.polyline, parameters);
+  ASSERT_EQ(drawn.runs.size(), 1u);
+  ASSERT_EQ(drawn.features[0].size(), drawn.curve.points.size());
+  const double length = drawn.lengths.back();
+  for (std::size_t i = 0; i < drawn.lengths.size(); ++i) {
+    EXPECT_NEAR(drawn.features[0][i], 3 + 2 * std::sin(40 * drawn.lengths[i] / length), 0.05);
+  }
+}
+
+TEST(CurveAnalogy, FeaturesComeFromWhereTheShapeComesFrom) {
+  const ExamplePair pair = brush_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  const Example& example = style.example();
+  const Polyline line = polyline("0 0, 1000 0");
+  for_each_seed(10, [&](std::uint64_t seed) {
+    const StyledCurve drawn = style.draw(line, {seed});
+    const double step =
+        1000 / static_cast<double>(drawn.runs.back().first + drawn.runs.back().steps);
+    for (const ChainRun& run : drawn.runs) {
+      // In the middle of a run nothing fades.
+      if (run.steps < 6) continue;
+      const double middle = static_cast<double>(run.steps) / 2;
+      const double length = (static_cast<double>(run.first) + middle) * step;
+      const auto i = std::ranges::lower_bound(drawn.lengths, length) - drawn.lengths.begin();
+      const double x = example.length_of(run.origin) + middle * example.step();
+      EXPECT_NEAR(drawn.features[1][static_cast<std::size_t>(i)], x, 1);
+    }
+  });
+}
+
+// The mean difference of the widths of the example where one run follows another.
+double mean_leap(const CurveAnalogy& style) {
+  const Example& example = style.example();
+  const auto width = [](double x) { return 3 + std::sin(x / 17) + 0.5 * std::sin(x / 7); };
+  double sum = 0, count = 0;
+  for (std::uint64_t place = 0; place < 20; ++place) {
+    const std::vector<ChainRun> runs = style.draw(polyline("0 0, 1500 0"), {place}).runs;
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      const double from = example.length_of(runs[i - 1].origin) +
+                          example.step() * static_cast<double>(runs[i - 1].steps);
+      sum += std::abs(width(from) - width(example.length_of(runs[i].origin)));
+      count += 1;
+    }
+  }
+  return sum / count;
+}
+
+TEST(CurveAnalogy, WidthsDoNotLeap) {
+  const ExamplePair brush = brush_pair();
+  ExamplePair plain = brush;
+  plain.features.clear();
+  plain.filtered.channels.clear();
+  EXPECT_LT(mean_leap(CurveAnalogy({&brush, 1}, {})),
+            0.6 * mean_leap(CurveAnalogy({&plain, 1}, {})));
+}
+
+TEST(CurveAnalogy, WidthsAreThoseOfTheExample) {
+  const ExamplePair pair = brush_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  const FeatureStatistics& widths = style.example().statistics(0);
+  for_each_seed(10, [&](std::uint64_t seed) {
+    const StyledCurve drawn = style.draw(polyline("0 0, 1500 0"), {seed});
+    const std::vector<double>& own = drawn.features[0];
+    double sum = 0;
+    for (std::size_t i = 1; i < own.size(); ++i) {
+      sum += own[i] * (drawn.lengths[i] - drawn.lengths[i - 1]);
+    }
+    EXPECT_NEAR(sum / 1500, widths.mean, 0.3 * widths.spread);
+    EXPECT_LE(std::ranges::max(own), widths.extent);
+  });
+}
+
+TEST(CurveAnalogy, WidthsHaveTheSizeOfTheStyleAndNumbersNone) {
+  const ExamplePair pair = brush_pair();
+  CurveAnalogyParameters large;
+  large.scale = 3;
+  const StyledCurve once = draw_by_analogy(pair, polyline("0 0, 500 0"));
+  const StyledCurve thrice = draw_by_analogy(pair, polyline("0 0, 1500 0"), large);
+  ASSERT_EQ(once.curve.points.size(), thrice.curve.points.size());
+  for (std::size_t i = 0; i < once.curve.points.size(); ++i) {
+    EXPECT_NEAR(thrice.features[0][i], 3 * once.features[0][i], 1e-6);
+    EXPECT_NEAR(thrice.features[1][i], once.features[1][i], 1e-6);
+  }
+  // A line without room has all of the style smaller.
+  const StyledCurve small = draw_by_analogy(pair, polyline("0 0, 10 0"));
+  ASSERT_LT(small.mean_scale, 0.5);
+  for (const double width : small.features[0]) {
+    EXPECT_LE(width, small.mean_scale * 4.5);
+    EXPECT_GE(width, small.mean_scale * 1.5);
+  }
+}
+
+TEST(CurveAnalogy, TheGreedySearchCopiesFeaturesToo) {
+  const ExamplePair pair = brush_pair();
+  CurveAnalogyParameters parameters;
+  parameters.method = AnalogyMethod::kGreedy;
+  const StyledCurve drawn = draw_by_analogy(pair, polyline("0 0, 300 0"), parameters);
+  ASSERT_EQ(drawn.features[0].size(), drawn.curve.points.size());
+  for (std::size_t i = 0; i < drawn.curve.points.size(); ++i) {
+    const double x = drawn.features[1][i];
+    EXPECT_NEAR(drawn.features[0][i], 3 + std::sin(x / 17) + 0.5 * std::sin(x / 7), 0.05);
+  }
+}
+
+// ---- Strokes ----------------------------------------------------------------------------------
+
+// Strokes between these x along a line, at y, as the example of a line of 600 px.
+ExamplePair strokes_pair(std::span<const std::array<double, 3>> strokes) {
+  ExamplePair pair;
+  pair.unfiltered = with_length_parameter(polyline("0 0, 600 0"));
+  for (const auto& [begin, end, y] : strokes) {
+    const SampledCurve stroke =
+        with_length_parameter({{{begin, y}, {(begin + end) / 2, y}, {end, y}}, false});
+    if (pair.filtered.size() == 0) {
+      pair.filtered = stroke;
+    } else {
+      pair.others.push_back(stroke);
+    }
+  }
+  return pair;
+}
+
+ExamplePair dashes() {
+  std::vector<std::array<double, 3>> strokes;
+  for (double x = 0; x < 590; x += 20) strokes.push_back({x, x + 12, 0});
+  return strokes_pair(strokes);
+}
+
+// Three strokes over one another at heights of their own, without end.
+ExamplePair rails() {
+  return strokes_pair(std::vector<std::array<double, 3>>{{0, 600, 0}, {0, 600, 4}, {0, 600, -7}});
+}
+
+TEST(CurveAnalogy, DashesStayDashes) {
+  const ExamplePair pair = dashes();
+  const CurveAnalogy style({&pair, 1}, {});
+  for_each_seed(10, [&](std::uint64_t seed) {
+    const StyledCurve drawn = style.draw(polyline("0 0, 1006 0"), {seed});
+    EXPECT_NEAR(static_cast<double>(drawn.strokes.size()), 50, 2);
+    double sum = 0, last = 0;
+    for (const DrawnLine& stroke : drawn.strokes) {
+      EXPECT_GE(stroke.lengths.front(), last);
+      sum += stroke.lengths.back() - stroke.lengths.front();
+      last = stroke.lengths.back();
+      for (const Point p : stroke.curve.points) EXPECT_NEAR(p.y, 0, 1e-6);
+      EXPECT_NEAR(stroke.curve.points.back().x, stroke.lengths.back(), 1e-6);
+    }
+    EXPECT_NEAR(sum / 1006, 0.6, 0.02);
+    // The ends of the line are there.
+    EXPECT_EQ(drawn.strokes.front().curve.points.front(), (Point{0, 0}));
+    EXPECT_EQ(drawn.strokes.back().curve.points.back(), (Point{1006, 0}));
+  });
+}
+
+TEST(CurveAnalogy, StrokesOverOneAnotherStaySo) {
+  const ExamplePair pair = rails();
+  CurveAnalogyParameters parameters;
+  parameters.keep_ends = false;
+  const CurveAnalogy style({&pair, 1}, parameters);
+  for_each_seed(10, [&](std::uint64_t seed) {
+    const StyledCurve drawn = style.draw(polyline("0 0, 1500 0"), {seed});
+    ASSERT_EQ(drawn.strokes.size(), 3u);
+    std::vector<double> heights;
+    for (const DrawnLine& stroke : drawn.strokes) {
+      heights.push_back(stroke.curve.points.front().y);
+      EXPECT_EQ(stroke.lengths.front(), 0);
+      EXPECT_EQ(stroke.lengths.back(), 1500);
+      for (const Point p : stroke.curve.points) EXPECT_NEAR(p.y, heights.back(), 1e-6);
+    }
+    EXPECT_THAT(heights, testing::UnorderedElementsAre(testing::DoubleNear(0, 1e-6),
+                                                       testing::DoubleNear(4, 1e-6),
+                                                       testing::DoubleNear(-7, 1e-6)));
+  });
+}
+
+TEST(CurveAnalogy, OfSeveralStrokesTheNearestKeepsTheEnds) {
+  const StyledCurve drawn = draw_by_analogy(rails(), polyline("0 0, 1500 0"));
+  for (const DrawnLine& stroke : drawn.strokes) {
+    const double middle = stroke.curve.points[stroke.curve.points.size() / 2].y;
+    EXPECT_NEAR(stroke.curve.points.front().y, middle, 1e-6);
+    if (std::abs(middle) < 1) {
+      EXPECT_EQ(stroke.curve.points.front(), (Point{0, 0}));
+    }
+  }
+}
+
+TEST(CurveAnalogy, StrokesGoRoundClosedLines) {
+  const ExamplePair pair = rails();
+  const StyledCurve drawn = draw_by_analogy(pair, circle({0, 0}, 200, 300));
+  ASSERT_EQ(drawn.strokes.size(), 3u);
+  for (const DrawnLine& stroke : drawn.strokes) EXPECT_TRUE(stroke.curve.closed);
+
+  // A round line that 64 dashes fit on: none of them begins or ends on the seam but by chance.
+  const ExamplePair broken = dashes();
+  const CurveAnalogy style({&broken, 1}, {});
+  const double length = 64 * 20;
+  const Polyline round = circle({0, 0}, 200 * length / arc_length(circle({0, 0}, 200, 300)), 300);
+  std::size_t passing = 0;
+  for (std::uint64_t place = 0; place < 20; ++place) {
+    const StyledCurve dashed = style.draw(round, {place});
+    EXPECT_EQ(dashed.strokes.size(), 64u);
+    for (const DrawnLine& stroke : dashed.strokes) {
+      EXPECT_NEAR(stroke.lengths.back() - stroke.lengths.front(), 12, 0.5);
+      passing += stroke.lengths.back() > length + 1e-6;
+    }
+  }
+  EXPECT_GT(passing, 5u);
+}
+
+TEST(CurveAnalogy, TheGreedySearchRefusesStrokes) {
+  const ExamplePair pair = dashes();
+  CurveAnalogyParameters parameters;
+  parameters.method = AnalogyMethod::kGreedy;
+  EXPECT_THROW(CurveAnalogy({&pair, 1}, parameters), Error);
+}
+
+// ---- Frames -----------------------------------------------------------------------------------
+
+StyledCurve next_frame(const CurveAnalogy& style, const Polyline& line, const StyledCurve& before,
+                       std::uint64_t frame, double coherence) {
+  return style.draw(
+      line,
+      {.place = 3, .held = {}, .variant = frame, .before = &before.walks, .coherence = coherence});
+}
+
+TEST(CurveAnalogy, FramesStayOrAreDrawnAfresh) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for (const Polyline& line : {s_curve(), egg()}) {
+    const StyledCurve first = style.draw(line, {3});
+    EXPECT_EQ(next_frame(style, line, first, 1, 1).curve, first.curve);
+    EXPECT_EQ(next_frame(style, line, first, 1, 0).curve,
+              style.draw(line, {.place = 3, .held = {}, .variant = 1}).curve);
+    EXPECT_NE(next_frame(style, line, first, 1, 0).curve, first.curve);
+  }
+}
+
+// The mean distance of a frame from the one before, at the same lengths along the line.
+double mean_move(const CurveAnalogy& style, double coherence) {
+  const Polyline line = polyline("0 0, 2000 0");
+  double sum = 0, count = 0;
+  StyledCurve before = style.draw(line, {3});
+  for (std::uint64_t frame = 1; frame <= 24; ++frame) {
+    const StyledCurve after = next_frame(style, line, before, frame, coherence);
+    for (double s = 5; s < 2000; s += 10) {
+      const auto at = [&](const StyledCurve& drawn) {
+        const auto i = std::ranges::lower_bound(drawn.lengths, s) - drawn.lengths.begin();
+        return drawn.curve.points[static_cast<std::size_t>(i)];
+      };
+      sum += distance(at(before), at(after));
+      count += 1;
+    }
+    before = after;
+  }
+  return sum / count;
+}
+
+TEST(CurveAnalogy, FramesMoveLessTheMoreCoherentTheyAre) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  double last = mean_move(style, 0);
+  EXPECT_GT(last, 2);
+  for (const double coherence : {0.3, 0.6, 0.9}) {
+    const double move = mean_move(style, coherence);
+    EXPECT_LT(move, 0.85 * last);
+    last = move;
+  }
+  EXPECT_GT(last, 0);
+  EXPECT_EQ(mean_move(style, 1), 0);
+}
+
+TEST(CurveAnalogy, LateFramesBendAsLinesDrawnAfresh) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  const double spacing = arc_length(pair.filtered.polyline) / 1200;
+  for (const Polyline& line : {s_curve(), egg()}) {
+    StyledCurve frame = style.draw(line, {3});
+    double late = 0, afresh = 0;
+    for (std::uint64_t i = 1; i <= 60; ++i) {
+      frame = next_frame(style, line, frame, i, 0.5);
+      std::size_t most = 0;
+      for (const ChainRun& run : frame.runs) most = std::max(most, run.steps);
+      EXPECT_LT(4 * most, style.example().state_count());
+      if (i <= 20) continue;
+      const Polyline other = style.draw(line, {.place = 3, .held = {}, .variant = i}).curve;
+      late += turning_distance(pair.filtered.polyline, frame.curve, spacing);
+      afresh += turning_distance(pair.filtered.polyline, other, spacing);
+    }
+    EXPECT_LT(late, 1.4 * afresh);
+  }
+}
+
 // ---- Sameness -------------------------------------------------------------------------------
 
 TEST(CurveAnalogy, TheSameSeedGivesTheSameBytesOnAnyNumberOfThreads) {
@@ -603,6 +924,25 @@ TEST(CurveAnalogy, RefusesExamplesThatCannotServe) {
   pair.filtered = with_length_parameter(polyline("0 0, 1e200 9"));
   EXPECT_THROW(draw_by_analogy(pair, s_curve()), Error);
   EXPECT_THROW(CurveAnalogy({}, {}), Error);
+}
+
+// ---- Values along closed examples ---------------------------------------------------------------
+
+TEST(ExampleLine, ValuesAlongAClosedExampleGoRound) {
+  ExamplePair pair{std::nullopt, with_length_parameter(circle({0, 0}, 40, 120))};
+  pair.features = {{"pressure", FeatureKind::kNumber}};
+  pair.filtered.channels.resize(1);
+  for (const double t : pair.filtered.t) pair.filtered.channels[0].push_back(t * (1 - t));
+  const Example example({&pair, 1}, {});
+  const ExampleLine& line = example.lines()[0];
+  ASSERT_TRUE(line.goes_round());
+  for (const double length : {1.0, 100.0, line.length() - 1}) {
+    for (const double turn : {-1.0, 1.0, 2.0}) {
+      EXPECT_NEAR(line.lane(0).features_at(length + turn * line.length())[0],
+                  line.lane(0).features_at(length)[0], 1e-9);
+    }
+  }
+  EXPECT_GT(line.lane(0).features_at(1.5 * line.length())[0], 0.2);
 }
 
 }  // namespace

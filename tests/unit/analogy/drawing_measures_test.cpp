@@ -56,6 +56,19 @@ TEST(MeasureCurve, SeesHowFarThingsAre) {
   EXPECT_NEAR(measure.fit_distance, 2, 1e-9);
 }
 
+TEST(MeasureCurve, SeesEveryStroke) {
+  const Polyline plain = polyline("0 0, 100 0"), first = polyline("0 0, 40 3"),
+                 second = polyline("60 5, 100 0");
+  StyledCurve drawn = as_drawn(plain, {{0, 1, 0}});
+  drawn.strokes = {{first, {}, {}}, {second, {}, {}}};
+  Path written = to_path(first);
+  written.append(to_path(polyline("60 0, 100 0")));
+  const CurveMeasure measure = measure_curve(plain, {}, drawn, written);
+  EXPECT_NEAR(measure.fit_distance, 5, 1e-9);
+  EXPECT_EQ(measure.end_distance, 0);
+  EXPECT_EQ(measure.drawn, (std::vector{first, second}));
+}
+
 TEST(MeasureCurve, DoesNotCareWhereANewCurveIsWritten) {
   const Polyline drawn = polyline("0 0, 50 7, 100 0");
   const CurveMeasure measure =
@@ -68,7 +81,7 @@ TEST(SummarizeMeasures, CountsRunsAndWhatIsSeen) {
   const auto states = static_cast<double>(example.state_count());
   CurveMeasure curve;
   curve.length = 10;
-  curve.drawn = polyline("0 0, 10 0");
+  curve.drawn = {polyline("0 0, 10 0")};
   curve.runs = {{0, 4, 2}, {4, 10, 0}, {14, 6, 20}};
   CurveMeasure kept;
   kept.length = 30;

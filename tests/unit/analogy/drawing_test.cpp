@@ -5,6 +5,7 @@
 
 #include "libstyle/curves/writer.h"
 #include "libstyle/geometry/flatten.h"
+#include "libstyle/geometry/path_segments.h"
 #include "tests/support/matchers.h"
 #include "tests/unit/analogy/wavy_drawing.h"
 
@@ -240,6 +241,109 @@ TEST(DrawAgain, CarriesValuesAlongTheCurve) {
   }
   EXPECT_EQ(widths.front(), 1);
   EXPECT_EQ(widths.back(), 1);
+}
+
+TEST(DrawAgain, GivesLinesTheValuesOfTheExample) {
+  std::vector<ExamplePair> pairs = wavy_pairs();
+  pairs[0].features = {{"width", FeatureKind::kLength}};
+  pairs[0].filtered.channels = {{}};
+  for (const Point p : pairs[0].filtered.polyline.points) {
+    pairs[0].filtered.channels[0].push_back(3 + std::sin(p.x / 9));
+  }
+  const CurveAnalogy brush(pairs, {});
+  Document document;
+  PathRecord record = path_record("stroke", "M0 0 L300 0 M5 5 M0 50 L300 50");
+  record.along.channels = {{"tilt", {1, 2, 7, 3, 4}}, {"width", {9, 9, 8, 9, 9}}};
+  document.records = {record, path_record("plain", "M0 100 L300 100 M9 9"),
+                      path_record("dot", "M9 9")};
+  draw_again(document, brush, {.threads = 1, .progress = {}, .warn = {}});
+  const PathRecord& stroke = path_at(document, 0);
+  const std::vector<double>& widths = *stroke.along.find("width");
+  ASSERT_EQ(widths.size(), stroke.path.vertex_count());
+  ASSERT_EQ(stroke.along.find("tilt")->size(), stroke.path.vertex_count());
+  EXPECT_EQ(stroke.along.find("tilt")->front(), 1);
+  // What is drawn has the width of the example, and what is not keeps its own.
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const bool stays = stroke.path.vertices()[i] == Point{5, 5};
+    EXPECT_NEAR(widths[i], stays ? 8 : 3, stays ? 0 : 1);
+  }
+  EXPECT_EQ(path_at(document, 1).along.find("width")->size(),
+            path_at(document, 1).path.vertex_count());
+  EXPECT_TRUE(path_at(document, 2).along.empty());
+}
+
+// Two strokes along a line, with a gap.
+const CurveAnalogy& dashed_style() {
+  static const CurveAnalogy style = [] {
+    ExamplePair pair;
+    pair.unfiltered = with_length_parameter({{{0, 0}, {200, 0}}, false});
+    pair.filtered = with_length_parameter({{{0, 0}, {6, 0}}, false});
+    for (double x = 10; x < 195; x += 10) {
+      pair.others.push_back(with_length_parameter({{{x, 0}, {x + 6, 0}}, false}));
+    }
+    return CurveAnalogy({&pair, 1}, {});
+  }();
+  return style;
+}
+
+TEST(DrawAgain, MakesSubpathsOfStrokes) {
+  Document document;
+  PathRecord line = path_record("line", "M0 0 L300 0");
+  line.along.channels = {{"tilt", {0, 300}}};
+  document.records.push_back(line);
+  draw_again(document, dashed_style(), {.threads = 1, .progress = {}, .warn = {}});
+  const PathRecord& after = path_at(document, 0);
+  EXPECT_EQ(after.id, "line");
+  EXPECT_NEAR(static_cast<double>(subpaths(after.path).size()), 30, 4);
+  const std::vector<Point> vertices = after.path.vertices();
+  const std::vector<double>& tilts = *after.along.find("tilt");
+  ASSERT_EQ(tilts.size(), vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) EXPECT_NEAR(tilts[i], vertices[i].x, 1e-3);
+}
+
+TEST(DrawAgain, AreasKeepTheirShapeBelowStrokes) {
+  Document document;
+  PathRecord both = path_record("both", "M0 0 L100 0 L100 100 L0 100 Z"), area = both;
+  both.style.fill = Color{255, 0, 0};
+  both.style.stroke = Color{0, 0, 0};
+  area.id = "area";
+  area.style.fill = Color{255, 0, 0};
+  document.records = {both, area, path_record("both~2", "M0 0 L300 0")};
+  const Document before = document;
+  draw_again(document, dashed_style(), {.threads = 1, .progress = {}, .warn = {}});
+  ASSERT_EQ(document.records.size(), 4u);
+  EXPECT_EQ(path_at(document, 0).path, both.path);
+  EXPECT_EQ(path_at(document, 0).style.stroke, Paint(NoPaint{}));
+  EXPECT_EQ(path_at(document, 1).id, "both~3");
+  EXPECT_EQ(path_at(document, 1).style.fill, Paint(NoPaint{}));
+  EXPECT_EQ(path_at(document, 1).style.stroke, both.style.stroke);
+  EXPECT_GT(subpaths(path_at(document, 1).path).size(), 20u);
+  EXPECT_EQ(path_at(document, 2), area);
+  EXPECT_GT(subpaths(path_at(document, 3).path).size(), 20u);
+}
+
+TEST(DrawAgain, FramesAreTheSameOnAnyNumberOfThreads) {
+  const auto frames = [](int threads) {
+    Document original;
+    for (int i = 0; i < 6; ++i) {
+      original.records.push_back(path_record("", "M0 0 L300 0 M0 40 C100 90 200 -10 300 40"));
+    }
+    DrawnWalks walks;
+    std::string text;
+    for (std::uint64_t frame = 0; frame < 3; ++frame) {
+      Document document = original;
+      draw_again(document, wavy_style(),
+                 {.threads = threads,
+                  .progress = {},
+                  .warn = {},
+                  .variant = frame,
+                  .walks = &walks,
+                  .coherence = 0.5});
+      text += text_of(document);
+    }
+    return text;
+  };
+  EXPECT_EQ(frames(1), frames(2));
 }
 
 TEST(DrawAgain, CarriesValuesAcrossTheSeamOfAnOutline) {

@@ -49,6 +49,32 @@ TEST(ExamplePairs, ManyVerticesOfTheSameNumberBelongTogether) {
   EXPECT_EQ(point_at_parameter(*pairs[0].unfiltered, 6.5), (Point{38, 0}));
 }
 
+TEST(ExamplePairs, BringWhatAllCurvesHaveAlong) {
+  Document styled = document_of({"M0 0 L5 5 L10 0", "M0 20 L10 20"});
+  std::get<PathRecord>(styled.records[0]).along.channels = {
+      {"tilt", {1, 2, 3}}, {"t", {0, 0.5, 1}}, {"width", {1, 4, 2}}};
+  std::get<PathRecord>(styled.records[1]).along.channels = {{"width", {3, 5}}};
+  const std::vector<ExamplePair> pairs = example_pairs(nullptr, styled);
+  for (const ExamplePair& pair : pairs) {
+    EXPECT_THAT(pair.features, testing::ElementsAre(LineFeature{"width", FeatureKind::kLength}));
+  }
+  EXPECT_THAT(pairs[0].filtered.channels, testing::ElementsAre(testing::ElementsAre(1, 4, 2)));
+  EXPECT_THAT(pairs[1].filtered.channels, testing::ElementsAre(testing::ElementsAre(3, 5)));
+}
+
+TEST(ExamplePairs, MoreFilteredCurvesAreStrokes) {
+  const Document plain = document_of({"M0 0 L10 0", "M0 20 L10 20"});
+  const Document styled =
+      document_of({"M0 19 L5 20", "M0 1 L10 -1", "M4 21 L10 20", "M0 22 L9 21"});
+  const std::vector<ExamplePair> pairs = example_pairs(&plain, styled);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].filtered.polyline.points.front(), (Point{0, 1}));
+  EXPECT_TRUE(pairs[0].others.empty());
+  EXPECT_EQ(pairs[1].filtered.polyline.points.front(), (Point{0, 19}));
+  ASSERT_EQ(pairs[1].others.size(), 2u);
+  EXPECT_EQ(pairs[1].others[0].polyline.points.front(), (Point{4, 21}));
+}
+
 TEST(ExamplePairs, GivenParametersComeFirst) {
   Document plain = document_of({"M0 0 L10 0"}), styled = document_of({"M0 0 L2 3 L10 0"});
   std::get<PathRecord>(plain.records[0]).along.channels = {{"t", {0, 1}}};
@@ -70,7 +96,9 @@ TEST(ExamplePairs, SayWhatIsMissing) {
   const Document none, one = document_of({"M0 0 L1 0"}),
                        two = document_of({"M0 0 L1 0", "M0 9 L1 9"});
   EXPECT_THAT(complaint(nullptr, none), testing::HasSubstr("no curve"));
-  EXPECT_THAT(complaint(&one, two), testing::HasSubstr("1 curve, the filtered one 2 curves"));
+  EXPECT_THAT(complaint(&two, one), testing::HasSubstr("2 curves, the filtered one 1 curve"));
+  const Document three = document_of({"M0 0 L1 0", "M0 1 L1 1", "M0 2 L1 2"});
+  EXPECT_THAT(complaint(&two, three), testing::HasSubstr("along the unfiltered curve 2"));
 }
 
 }  // namespace

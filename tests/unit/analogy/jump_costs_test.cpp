@@ -48,6 +48,29 @@ TEST(JumpCosts, EndsAreComparedByWhatIsThere) {
   EXPECT_NEAR(waves, std::round(waves), 0.1);
 }
 
+TEST(JumpCosts, WidthsThatDifferCostAsMuchAsTheySpread) {
+  ExamplePair pair = wave_pair(400);
+  pair.features = {{"width", FeatureKind::kLength}};
+  std::vector<double>& widths = pair.filtered.channels.emplace_back();
+  // Whole waves in turn thin and thick.
+  for (const Point p : pair.filtered.polyline.points) {
+    widths.push_back(3 + std::sin(2 * std::numbers::pi * p.x / 40));
+  }
+  const auto costs_of = [](const ExamplePair& from_pair, int waves) {
+    const Example example({&from_pair, 1}, {});
+    std::vector<double> row(example.state_count());
+    JumpCosts(example).from_start_of(example.state_count() / 2, row);
+    const auto steps = static_cast<std::size_t>(std::lround(20 * waves / example.step()));
+    return row[example.state_count() / 2 - steps];
+  };
+  EXPECT_GT(costs_of(pair, 1), 5 * costs_of(pair, 2));
+  const double thin = costs_of(pair, 1);
+  for (double& width : widths) width = 100 * width + 7;
+  EXPECT_NEAR(costs_of(pair, 1), thin, 1e-6 * thin);
+  for (double& width : widths) width = 5;
+  EXPECT_LT(costs_of(pair, 1), 1);
+}
+
 TEST(JumpModel, EveryRowIsADistribution) {
   const ExamplePair pairs[] = {wave_pair(300), wave_pair(160, 1)};
   const Example example(pairs, {});

@@ -32,6 +32,8 @@ void expect_equal(const std::vector<ExamplePair>& a, const std::vector<ExamplePa
     EXPECT_EQ(a[i].filtered, b[i].filtered);
     EXPECT_EQ(a[i].unfiltered, b[i].unfiltered);
     EXPECT_EQ(a[i].same_parameter, b[i].same_parameter);
+    EXPECT_EQ(a[i].features, b[i].features);
+    EXPECT_EQ(a[i].others, b[i].others);
   }
 }
 
@@ -56,6 +58,30 @@ TEST(StyleDocument, HoldsWhichPlacesBelongTogether) {
   std::get<PathRecord>(unfiltered.records[0]).along.channels = {{"t", {0, 1}}};
   const std::vector<ExamplePair> pairs = example_pairs(&unfiltered, filtered);
   ASSERT_TRUE(pairs[0].same_parameter);
+  expect_equal(style_pairs(reread(style_document(pairs, filtered))), pairs);
+}
+
+TEST(StyleDocument, HoldsWhatGoesAlongTheLines) {
+  Document filtered = document_of({"M0 0 C5 9 5 9 10 5 L20 0", "M5 5 L9 9 L9 5 Z"});
+  const Color red{255, 0, 0}, blue{0, 0, 200, 100}, green{3, 99, 4};
+  for (Record& record : filtered.records) {
+    AlongValues& along = std::get<PathRecord>(record).along;
+    along.channels = {{"width", {1, 2.5, 3}}, {"pressure", {0.1, 0.2, 1}}};
+    along.colors = {red, blue, green};
+  }
+  const std::vector<ExamplePair> pairs = example_pairs(nullptr, filtered);
+  ASSERT_EQ(pairs[1].features.size(), 6u);
+  expect_equal(style_pairs(reread(style_document(pairs, filtered))), pairs);
+}
+
+TEST(StyleDocument, HoldsWhichStrokesBelongToWhichLine) {
+  const Document unfiltered = document_of({"M0 0 L20 0", "M0 50 L20 50"});
+  Document filtered = document_of({"M0 1 L9 1", "M0 51 L20 51", "M11 1 L20 1", "M3 2 L8 3"});
+  for (Record& record : filtered.records) {
+    std::get<PathRecord>(record).along.channels = {{"width", {1, 2.5}}};
+  }
+  const std::vector<ExamplePair> pairs = example_pairs(&unfiltered, filtered);
+  ASSERT_EQ(pairs[0].others.size(), 2u);
   expect_equal(style_pairs(reread(style_document(pairs, filtered))), pairs);
 }
 
@@ -105,6 +131,10 @@ TEST(StyleDocument, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(header), HasSubstr("no path with the label"));
   EXPECT_THAT(complaint(header + path("wavy", "M0 0 L1 1")), HasSubstr("2: a path of a style has"));
   EXPECT_THAT(complaint(header + path("unfiltered", "M0 0 L1 1")), HasSubstr("has the label"));
+  EXPECT_THAT(complaint(header + good + path("stroke", "M0 0 L1 1")), HasSubstr("after these two"));
+  EXPECT_THAT(complaint(header + good + path("unfiltered", "M0 0 L1 1") +
+                        path("stroke", "M0 0 L1 1", "[0,1]")),
+              HasSubstr("4: several strokes"));
   EXPECT_THAT(
       complaint(header + good + path("unfiltered", "M0 0 L1 1") + path("unfiltered", "M0 0 L1 1")),
       HasSubstr("4: a path of a style has the label"));

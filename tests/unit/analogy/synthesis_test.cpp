@@ -142,6 +142,27 @@ TEST(CurveSynthesis, IsTheSameEveryTimeAndOtherwiseAnother) {
   EXPECT_NE(CurveSynthesis({&example, 1}, with_seed(1)).draw(2000, 1).curve, once);
 }
 
+TEST(CurveSynthesis, CopiesWhatGoesAlongTheExample) {
+  ExamplePair pair{std::nullopt, with_length_parameter(coast())};
+  const double length = arc_length(pair.filtered.polyline);
+  pair.features = {{"width", FeatureKind::kLength}, {"s", FeatureKind::kNumber}};
+  pair.filtered.channels.resize(2);
+  for (const double t : pair.filtered.t) {
+    pair.filtered.channels[0].push_back(2 + std::sin(length * t / 30));
+    pair.filtered.channels[1].push_back(length * t);
+  }
+  const CurveSynthesis style({&pair, 1}, with_seed(3));
+  const SynthesizedCurve drawn = style.draw(1.5 * length, 0);
+  ASSERT_EQ(drawn.features[0].size(), drawn.curve.points.size());
+  // Where nothing fades, both come from the same place.
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < drawn.curve.points.size(); ++i) {
+    const double width = 2 + std::sin(drawn.features[1][i] / 30);
+    same += std::abs(drawn.features[0][i] - width) < 0.05;
+  }
+  EXPECT_GT(static_cast<double>(same), 0.5 * static_cast<double>(drawn.curve.points.size()));
+}
+
 // --- Likeness and variety, over seeds -----------------------------------------------------------
 
 struct Figures {
