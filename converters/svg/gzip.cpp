@@ -12,7 +12,8 @@
 namespace libstyle::svg {
 namespace {
 
-using Decompressor = std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
+using Decompressor =
+    std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>;
 
 // The size that stands at the end of a member, modulo 2^32; right for a file of one member, and no
 // more than a guess otherwise. No more than deflate can pack into the bytes there are.

@@ -20,6 +20,7 @@ namespace {
 constexpr double kBaseBlur = 2;                // feature sizes: makes A from A' where A is left out
 constexpr double kStepsPerFeature = 4;         // finer steps draw no better, and cost
 constexpr double kMostSamplesPerFeature = 40;  // short examples need no finer ones
+constexpr double kMostVertices = 100000;       // more cost time, and nothing is sampled so finely
 constexpr double kLongestExample = 1e9;        // px; squares of lengths must not overflow
 constexpr double kMaxStates = 2048;            // bounds the table of jumps
 constexpr double kNearEnd = 0.5;               // feature sizes: of a stroke to the end of its line
@@ -66,7 +67,9 @@ SampledCurve checked(const SampledCurve& curve, double scale, const char* which)
     throw Error(std::string("the ") + which +
                 " example is more than a billion px long; draw it smaller, or at a smaller scale");
   }
-  return result;
+  return static_cast<double>(result.size()) > kMostVertices
+             ? resample(result, length / kMostVertices)
+             : result;
 }
 
 std::vector<double> lengths_at_parameters(const SampledCurve& curve,
