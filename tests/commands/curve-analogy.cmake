@@ -401,6 +401,15 @@ road_case(through-is-passed-exactly
   OPTIONS "--through road=120.125,80.0625@0.4 | grep -o ' 120.125 80.0625 '" SAME "echo ' 120.125 80.0625 '")
 road_case(through-an-end-moves-it
   OPTIONS "--method greedy --samples 300 --through road=-5,44@0 | grep -o '\"M-5 44 '" SAME [[echo '"M-5 44 ']])
+command_case(curve-analogy/one-of-several-strokes-passes-a-place
+  RUN "curve-analogy --unfiltered styles/overdrawn-plain.svg --filtered styles/overdrawn.svg drawings/places.curves | grep '\"id\":\"hard\"' | grep -o ' 130 90 '"
+  SAME "echo ' 130 90 '")
+command_case(curve-analogy/every-frame-passes-a-place
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 0.5 drawings/places.curves | grep '\"id\":\"hard\"' | grep -c ' 130 90 '"
+  SAME "echo 3")
+command_case(curve-analogy/frames-that-stay-keep-soft-places
+  RUN "curve-analogy --filtered styles/wavy.svg --frames 3 --coherence 1 drawings/places.curves | grep '\"id\":\"soft\"' | sort -u | wc -l"
+  SAME "echo 1")
 road_case(constraints-stay
   RECORDS [[{"type":"constraint","curve":"road","at":[120,80]}\n]]
   OPTIONS "| tail -n 1" SAME [[echo '{"type":"constraint","curve":"road","at":[120,80]}']])
