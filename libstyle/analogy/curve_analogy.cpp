@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "libstyle/analogy/bent_line.h"
-#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/curve_assembly.h"
 #include "libstyle/analogy/line_constraints.h"
 #include "libstyle/analogy/line_search.h"
-#include "libstyle/analogy/living_walk.h"
+#include "libstyle/analogy/line_walk.h"
 #include "libstyle/analogy/plain_lines.h"
-#include "libstyle/analogy/shape_costs.h"
 #include "libstyle/analogy/soft_constraints.h"
 #include "libstyle/analogy/style_grid.h"
 #include "libstyle/base/error.h"
@@ -24,27 +23,7 @@
 namespace libstyle {
 namespace {
 
-// How far off a line that is held a walk may be there, as a share of the reach of the style: what
-// is left over is bent into place.
-constexpr double kHeldSpread = 0.15;
-
-// What it costs that no stroke is there: as a stroke four spreads off. One that goes on for so many
-// feature sizes is one.
-constexpr double kPenUp = 8;
-constexpr double kLeastStroke = 0.6;
-
-constexpr double kMeanRun = 8;  // feature sizes
-
-// The longest run: a share of the example, but not less than so many feature sizes.
-constexpr double kLongestRun = 0.2;
-constexpr double kLeastLongestRun = 2.5;
-constexpr double kRepeatFactor = 0.25;  // for each time that a place was used before on the line
-
 constexpr double kMostSteps = 1 << 20;
-
-// Feature sizes that change together from frame to frame. Given what is at both ends, pieces no
-// longer than a run hardly ever change: the walk would have to jump away and back.
-constexpr double kPiece = 20;
 
 // A constraint that is no farther off than this share of the reach of the style is left to the
 // style; the line bends for the rest.
@@ -55,64 +34,6 @@ constexpr double kYieldReach = 3;
 
 // Feature sizes over which a corner is looked at.
 constexpr double kCornerReach = 0.5;
-
-// Lets the example come near the places that a line passes.
-class HeldCosts {
- public:
-  // A place on a line, and where the drawn line is to pass it: an offset in its frame and in the
-  // size of the example.
-  struct Place {
-    double x = 0;  // style coordinate
-    Vector offset;
-  };
-
-  explicit HeldCosts(const Example& example) : spread_(kHeldSpread * example.reach()) {
-    for (std::size_t j = 0; j < example.state_count(); ++j) {
-      const double start = example.length_of(j);
-      const double least = kLeastStroke * example.feature_along();
-      starts_.push_back(offsets_at(example.line(j), start, least));
-      ends_.push_back(offsets_at(example.line(j), start + example.step(), -least));
-    }
-  }
-
-  // For a line of so many steps that is held at these places; see StepCosts.
-  bool add(std::size_t step, std::size_t steps, std::span<const Place> held,
-           std::span<double> costs) const {
-    bool any = false;
-    for (const Place& place : held) {
-      const auto border = static_cast<std::size_t>(std::lround(place.x));
-      const bool at_end = border == steps && step + 1 == steps;
-      if (border != step && !at_end) continue;
-      const std::vector<std::vector<Vector>>& own = at_end ? ends_ : starts_;
-      for (std::size_t j = 0; j < costs.size(); ++j) costs[j] += cost(own[j], place.offset);
-      any = true;
-    }
-    return any;
-  }
-
- private:
-  // Of all strokes that go on as far as `inward`.
-  static std::vector<Vector> offsets_at(const ExampleLine& line, double length, double inward) {
-    std::vector<Vector> result;
-    for (const Lane& lane : line.lanes()) {
-      if (!lane.is_down(length) || !lane.is_down(length + inward)) continue;
-      result.push_back(lane.at(length).offset);
-    }
-    return result;
-  }
-
-  // Of the stroke that is nearest.
-  double cost(std::span<const Vector> strokes, Vector wanted) const {
-    if (strokes.empty()) return kPenUp;
-    if (!(spread_ > 0)) return 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector offset : strokes) least = std::min(least, squared_norm(offset - wanted));
-    return least / (2 * spread_ * spread_);
-  }
-
-  double spread_;
-  std::vector<std::vector<Vector>> starts_, ends_;  // for each state, of its strokes
-};
 
 // Where a drawn line is that far along the plain one, which is `total` long.
 Point place_on(const DrawnLine& drawn, double length, double total) {
@@ -133,9 +54,7 @@ class CurveAnalogy::Implementation {
   Implementation(std::span<const ExamplePair> pairs, const CurveAnalogyParameters& parameters)
       : parameters_((validate(parameters), parameters)),
         example_(pairs, parameters),
-        jumps_(make_jump_model(example_, parameters.mean_run.value_or(kMeanRun),
-                               parameters.shape_weight > 0)),
-        held_costs_(example_) {
+        walk_(example_, parameters) {
     if (parameters.method != AnalogyMethod::kGreedy) return;
     if (example_.has_strokes()) {
       throw Error(
@@ -158,14 +77,6 @@ class CurveAnalogy::Implementation {
   StyledCurve unchanged(const Polyline& curve) const;
   StyledCurve too_long(const Polyline& curve) const;
   DrawnLine plain_line(const Polyline& line) const;
-  struct DrawnPart {
-    DrawnLine line;
-    std::vector<DrawnLine> strokes;
-    std::vector<ChainRun> runs;
-    double scaled_length = 0;
-    std::vector<ChainState> walk = {};
-  };
-
   // What is the same for all lines of a curve, and which of them it is.
   struct LinePlace {
     const CurveTask& task;
@@ -192,17 +103,10 @@ class CurveAnalogy::Implementation {
                         std::span<const LineConstraint> constraints, const LinePlace& place) const;
   DrawnPart walk_line(const Polyline& line, const StyleGrid& grid,
                       std::span<const LineConstraint> constraints, const LinePlace& place) const;
-  std::vector<ChainState> walk_randomly(const Sweep& line, const StyleGrid& grid,
-                                        std::span<const HeldPlace> held,
-                                        const LinePlace& place) const;
-  std::vector<ChainState> walk_by_shape(const Sweep& line, const StyleGrid& grid) const;
-  ChainState random_origin(const RandomStream& random, std::uint64_t first) const;
-  ChainVariety variety() const;
 
   CurveAnalogyParameters parameters_;
   Example example_;
-  JumpModel jumps_;
-  HeldCosts held_costs_;
+  LineWalk walk_;
   std::optional<LineSearch> search_;
 };
 
@@ -232,10 +136,8 @@ DrawnLine CurveAnalogy::Implementation::plain_line(const Polyline& line) const {
 }
 
 StyleSummary CurveAnalogy::Implementation::summary() const {
-  const bool samples_the_chain = parameters_.shape_weight == 0;
   StyleSummary summary =
-      summarize(example_, jumps_, parameters_, parameters_.mean_run.value_or(kMeanRun),
-                samples_the_chain ? variety().longest_run : 0);
+      summarize(example_, walk_.jumps(), parameters_, walk_.mean_run(), walk_.longest_run());
   if (search_) summary.search = search_->summary();
   return summary;
 }
@@ -257,51 +159,18 @@ StyledCurve CurveAnalogy::Implementation::draw(const Polyline& curve, const Curv
   const RandomStream random(parameters_.seed + task.variant, task.place);
   const LineConstraints constraints(
       curve, lines, {task.held, task.constraints, parameters_.keep_ends, example_.feature_size()});
-  StyledCurve result;
-  result.curve.closed = curve.closed;
-  result.features.resize(example_.features().size());
-  double total = 0, scaled = 0;
-  std::size_t first_step = 0;
+  CurveAssembly assembly(curve, example_.features().size());
   for (std::size_t part = 0; part < lines.size(); ++part) {
     DrawnPart drawn =
         draw_line(lines[part].line, constraints.on(lines[part]), {task, random, part});
-    result.walks.push_back(std::move(drawn.walk));
-    const bool joins = !drawn.line.curve.closed && (curve.closed || part + 1 < lines.size());
-    if (lines[part].starts_at_corner) result.corners.push_back(result.curve.points.size());
-    const std::size_t count = drawn.line.curve.points.size() - (joins ? 1 : 0);
-    for (const std::size_t i : drawn.line.pinned) {
-      const bool is_end = i == 0 || i + 1 == drawn.line.curve.points.size();
-      if (is_end && !drawn.line.curve.closed) continue;
-      result.pinned.push_back(result.curve.points.size() + i);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      result.curve.points.push_back(drawn.line.curve.points[i]);
-      result.lengths.push_back(lines[part].length_before + drawn.line.lengths[i]);
-    }
-    for (std::size_t i = 0; i < result.features.size(); ++i) {
-      const std::vector<double>& own = drawn.line.features[i];
-      result.features[i].insert(result.features[i].end(), own.begin(),
-                                own.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-    for (DrawnLine& stroke : drawn.strokes) {
-      for (double& length : stroke.lengths) length += lines[part].length_before;
-      if (example_.has_strokes()) result.strokes.push_back(std::move(stroke));
-    }
-    for (ChainRun& run : drawn.runs) {
-      run.first += first_step;
-      result.runs.push_back(run);
-    }
-    if (!result.runs.empty()) first_step = result.runs.back().first + result.runs.back().steps;
-    const double length = arc_length(lines[part].line);
-    total += length;
-    scaled += drawn.scaled_length;
+    assembly.append(std::move(drawn), lines[part], part + 1 == lines.size());
   }
-  result.mean_scale = scaled / total;
-  return result;
+  return assembly.take();
 }
 
-CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_line(
-    const Polyline& line, std::vector<LineConstraint> constraints, const LinePlace& place) const {
+DrawnPart CurveAnalogy::Implementation::draw_line(const Polyline& line,
+                                                  std::vector<LineConstraint> constraints,
+                                                  const LinePlace& place) const {
   // The search weighs soft constraints itself.
   if (!search_) settle_soft_constraints(line, place, constraints);
   return draw_bent_line(line, constraints, place);
@@ -343,9 +212,9 @@ void CurveAnalogy::Implementation::settle_soft_constraints(
   }
 }
 
-CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_bent_line(
-    const Polyline& line, std::span<const LineConstraint> constraints,
-    const LinePlace& place) const {
+DrawnPart CurveAnalogy::Implementation::draw_bent_line(const Polyline& line,
+                                                       std::span<const LineConstraint> constraints,
+                                                       const LinePlace& place) const {
   StyleGrid grid(line, example_, parameters_);
   BentLine bent(line);
   if (std::ranges::any_of(constraints, [](const auto& c) { return c.position.has_value(); })) {
@@ -356,7 +225,7 @@ CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::draw_bent_
   if (grid.line_scale() <= parameters_.smallest_scale && parameters_.smallest_scale < 1) {
     bent = bend(line, constraints, grid, 0);
     drawn.line = plain_line(bent.line());
-    drawn.strokes = {drawn.line};
+    if (example_.has_strokes()) drawn.strokes = {drawn.line};
   } else {
     std::vector<LineConstraint> along_bent(constraints.begin(), constraints.end());
     for (LineConstraint& c : along_bent) c.length = bent.bent_length(c.length);
@@ -399,108 +268,26 @@ BentLine CurveAnalogy::Implementation::bend(const Polyline& line,
   return {line, bends, grid.line_scale() * example_.feature_along()};
 }
 
-CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::search_line(
-    const Polyline& line, const StyleGrid& grid, std::span<const LineConstraint> constraints,
-    const LinePlace& place) const {
+DrawnPart CurveAnalogy::Implementation::search_line(const Polyline& line, const StyleGrid& grid,
+                                                    std::span<const LineConstraint> constraints,
+                                                    const LinePlace& place) const {
   const double scale = grid.line_scale();
   LineSearch::Result drawn = search_->draw(line, scale, constraints,
                                            place.random.bits(place.part) >> 16, place.task.variant);
   return {std::move(drawn.line), {}, std::move(drawn.runs), scale * grid.length()};
 }
 
-CurveAnalogy::Implementation::DrawnPart CurveAnalogy::Implementation::walk_line(
-    const Polyline& line, const StyleGrid& grid, std::span<const LineConstraint> constraints,
-    const LinePlace& place) const {
-  const double end = arc_length(line);
-  std::vector<HeldPlace> held;
-  for (const LineConstraint& constraint : constraints) {
-    const bool is_end = !line.closed && constraint.length == end;
-    held.push_back(
-        {is_end ? static_cast<double>(grid.steps()) : grid.coordinate_at(constraint.length),
-         constraint.position});
-  }
-  const double blur = grid.line_scale() * example_.feature_along();
-  const Sweep sweep(line, parameters_.smoothing * blur, blur, parameters_.invariance);
-  std::vector<ChainState> walk = parameters_.shape_weight > 0
-                                     ? walk_by_shape(sweep, grid)
-                                     : walk_randomly(sweep, grid, held, place);
-  DrawnPart result{{}, {}, find_runs(example_, walk), grid.mean_scale() * grid.length()};
-  result.walk = std::move(walk);
-  if (!example_.has_strokes()) {
-    result.line = draw_walk(example_, sweep, grid, result.walk, held);
-    return result;
-  }
-  result.strokes = draw_strokes(example_, sweep, grid, result.walk, held);
-  result.line = plain_line(line);
-  if (result.strokes.empty()) result.strokes = {result.line};
-  return result;
-}
-
-// A jump lands most likely where closing the curve is easiest.
-ChainState CurveAnalogy::Implementation::random_origin(const RandomStream& random,
-                                                       std::uint64_t first) const {
-  std::vector<double> arrivals(example_.state_count());
-  for (std::size_t j = 0; j < arrivals.size(); ++j) arrivals[j] = jumps_.chain.landing[j] * 1e-9;
-  for (const ChainRow& row : jumps_.chain.rows) {
-    for (const ChainJump& jump : row.jumps) arrivals[jump.target] += jump.probability;
-  }
-  return static_cast<ChainState>(random.choose(first, arrivals));
-}
-
-std::vector<ChainState> CurveAnalogy::Implementation::walk_randomly(const Sweep& line,
-                                                                    const StyleGrid& grid,
-                                                                    std::span<const HeldPlace> held,
-                                                                    const LinePlace& place) const {
-  std::vector<HeldCosts::Place> places;
-  for (const auto& [x, position] : held) {
-    places.push_back({x, {}});
-    if (!position) continue;
-    const double length = grid.length_at(x);
-    places.back().offset =
-        to_frame(*position - line.point_at(length), line.frame_at(length)) / grid.scale_at(x);
-  }
-  ChainTask task;
-  task.steps = grid.steps();
-  task.costs = [&, steps = task.steps](std::size_t step, std::span<double> costs) {
-    return held_costs_.add(step, steps, places, costs);
-  };
-  const std::span<const ChainState> before = place.before();
-  if (before.size() == task.steps) {
-    const double piece = kPiece * example_.feature_along() / example_.step();
-    const WalkChange change{1 - place.task.coherence, static_cast<std::size_t>(piece) + 1,
-                            line.closed(), variety()};
-    return changed_walk(jumps_.chain, task, before, change, place.random, place.first());
-  }
-  if (line.closed()) {
-    task.origin = random_origin(place.random, place.first());
-    task.next = task.origin;
-  }
-  return sample_chain(jumps_.chain, task, place.random, place.first(), variety());
-}
-
-ChainVariety CurveAnalogy::Implementation::variety() const {
-  const double least = kLeastLongestRun * example_.feature_along() / example_.step();
-  const double share = kLongestRun * static_cast<double>(example_.state_count());
-  return {static_cast<std::size_t>(std::max(share, least)), kRepeatFactor};
-}
-
-// A closed line is walked twice round first: where that passes half-way it no longer feels its
-// ends, and the state there is where the closed walk begins.
-std::vector<ChainState> CurveAnalogy::Implementation::walk_by_shape(const Sweep& line,
-                                                                    const StyleGrid& grid) const {
-  const ShapeCosts shape(example_, line, grid, parameters_.shape_weight, jumps_.tolerance);
-  ChainTask task;
-  task.steps = grid.steps();
-  task.costs = [&](std::size_t step, std::span<double> costs) {
-    shape.add(step % grid.steps(), costs);
-    return true;
-  };
-  if (!line.closed()) return best_chain(jumps_.chain, task);
-  task.steps = 2 * grid.steps();
-  task.origin = best_chain(jumps_.chain, task)[grid.steps()];
-  task.steps = grid.steps();
-  task.next = task.origin;
-  return best_chain(jumps_.chain, task);
+DrawnPart CurveAnalogy::Implementation::walk_line(const Polyline& line, const StyleGrid& grid,
+                                                  std::span<const LineConstraint> constraints,
+                                                  const LinePlace& place) const {
+  WalkedLine walked = walk_.draw(
+      line, grid, constraints, {place.random, place.first(), place.before(), place.task.coherence});
+  DrawnPart drawn{std::move(walked.line), std::move(walked.strokes), std::move(walked.runs),
+                  grid.mean_scale() * grid.length(), std::move(walked.walk)};
+  if (!example_.has_strokes()) return drawn;
+  drawn.line = plain_line(line);
+  if (drawn.strokes.empty()) drawn.strokes = {drawn.line};
+  return drawn;
 }
 
 CurveAnalogy::CurveAnalogy(std::span<const ExamplePair> pairs,
