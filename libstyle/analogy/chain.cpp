@@ -20,13 +20,50 @@ double landing_share(const ChainModel& model) {
   return 1.0 / landings;
 }
 
-// The costs of a step; empty where there are none.
-std::vector<double> step_costs(const ChainModel& model, const ChainTask& task, std::size_t step) {
-  if (!task.costs) return {};
-  std::vector<double> costs(model.state_count(), 0.0);
-  if (!task.costs(step, costs)) return {};
-  return costs;
-}
+// The costs of steps, one after the other.
+class CostsOfSteps {
+ public:
+  CostsOfSteps(const ChainModel& model, const ChainTask& task)
+      : task_(task), costs_(task.costs ? model.state_count() : 0, 0.0) {}
+
+  // Until the next call; empty where there are none.
+  std::span<const double> of(std::size_t step) {
+    if (are_used_) std::ranges::fill(costs_, 0.0);
+    are_used_ = task_.costs && task_.costs(step, costs_);
+    if (!are_used_) return {};
+    return costs_;
+  }
+
+ private:
+  const ChainTask& task_;
+  std::vector<double> costs_;
+  bool are_used_ = false;
+};
+
+// The jumps of all rows in one piece of memory, each with a value.
+class AllJumps {
+ public:
+  struct Jump {
+    ChainState target;
+    double value;
+  };
+
+  template <typename Value>
+  AllJumps(const ChainModel& model, Value value) : firsts_{0} {
+    for (const ChainRow& row : model.rows) {
+      for (const ChainJump& jump : row.jumps) jumps_.push_back({jump.target, value(row, jump)});
+      firsts_.push_back(jumps_.size());
+    }
+  }
+
+  std::span<const Jump> from(ChainState state) const {
+    return {jumps_.data() + firsts_[state], firsts_[state + 1] - firsts_[state]};
+  }
+
+ private:
+  std::vector<Jump> jumps_;
+  std::vector<std::size_t> firsts_;  // of each state, and one more
+};
 
 // The probability of what follows the last step: anything, or what is given.
 double ending_probability(const ChainModel& model, const ChainTask& task, ChainState from) {
@@ -38,12 +75,16 @@ double ending_probability(const ChainModel& model, const ChainTask& task, ChainS
 class SumMessages {
  public:
   SumMessages(const ChainModel& model, const ChainTask& task)
-      : model_(model), task_(task), landing_share_(landing_share(model)) {}
+      : model_(model),
+        task_(task),
+        costs_(model, task),
+        jumps_(model, [](const ChainRow&, const ChainJump& jump) { return jump.probability; }),
+        landing_share_(landing_share(model)) {}
 
-  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
+  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) {
     const double mean = next.empty() ? 0 : landing_mean(next);
     for (ChainState j = 0; j < message.size(); ++j) message[j] = follow(j, next, mean);
-    const std::vector<double> costs = step_costs(model_, task_, step);
+    const std::span<const double> costs = costs_.of(step);
     if (!costs.empty()) {
       const double least = *std::ranges::min_element(costs);
       for (std::size_t j = 0; j < message.size(); ++j) message[j] *= std::exp(least - costs[j]);
@@ -77,12 +118,14 @@ class SumMessages {
     const ChainRow& row = model_.rows[from];
     double sum = row.anywhere * mean;
     if (row.coherent > 0) sum += row.coherent * next[from + 1];
-    for (const ChainJump& jump : row.jumps) sum += jump.probability * next[jump.target];
+    for (const AllJumps::Jump& jump : jumps_.from(from)) sum += jump.value * next[jump.target];
     return sum;
   }
 
   const ChainModel& model_;
   const ChainTask& task_;
+  CostsOfSteps costs_;
+  AllJumps jumps_;
   double landing_share_;
 };
 
@@ -91,26 +134,28 @@ class SumMessages {
 class LeastMessages {
  public:
   LeastMessages(const ChainModel& model, const ChainTask& task)
-      : model_(model), task_(task), landing_share_(landing_share(model)) {
+      : model_(model),
+        task_(task),
+        costs_(model, task),
+        landing_share_(landing_share(model)),
+        jumps_(model, [&](const ChainRow& row, const ChainJump& jump) {
+          return -std::log(jump.probability + landing_at(jump.target, row));
+        }) {
     for (ChainState j = 0; j < model.state_count(); ++j) {
       const ChainRow& row = model.rows[j];
       anywhere_costs_.push_back(-std::log(row.anywhere * landing_share_));
       coherent_costs_.push_back(row.coherent > 0 ? -std::log(row.coherent + landing_at(j + 1, row))
                                                  : kInfinity);
-      for (const ChainJump& jump : row.jumps) {
-        jump_costs_.push_back(-std::log(jump.probability + landing_at(jump.target, row)));
-      }
-      first_jump_.push_back(jump_costs_.size() - row.jumps.size());
     }
   }
 
-  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) const {
+  void operator()(std::size_t step, std::span<const double> next, std::span<double> message) {
     const Choice landing = next.empty() ? Choice{} : best_landing(next);
     for (ChainState j = 0; j < message.size(); ++j) {
       message[j] = next.empty() ? -std::log(ending_probability(model_, task_, j))
                                 : best_successor(j, next, landing).cost;
     }
-    const std::vector<double> costs = step_costs(model_, task_, step);
+    const std::span<const double> costs = costs_.of(step);
     for (std::size_t j = 0; j < costs.size(); ++j) message[j] += costs[j];
   }
 
@@ -144,20 +189,19 @@ class LeastMessages {
     const ChainRow& row = model_.rows[from];
     Choice best{landing.cost + anywhere_costs_[from], landing.state};
     if (row.coherent > 0) best.consider(next[from + 1] + coherent_costs_[from], from + 1);
-    for (std::size_t i = 0; i < row.jumps.size(); ++i) {
-      const ChainState target = row.jumps[i].target;
-      best.consider(next[target] + jump_costs_[first_jump_[from] + i], target);
+    for (const AllJumps::Jump& jump : jumps_.from(from)) {
+      best.consider(next[jump.target] + jump.value, jump.target);
     }
     return best;
   }
 
   const ChainModel& model_;
   const ChainTask& task_;
+  CostsOfSteps costs_;
   double landing_share_;
+  AllJumps jumps_;
   std::vector<double> anywhere_costs_;
   std::vector<double> coherent_costs_;
-  std::vector<double> jump_costs_;
-  std::vector<std::size_t> first_jump_;
 };
 
 // ---- Variety ----------------------------------------------------------------------------------
@@ -170,6 +214,7 @@ class WalkMemory {
         uses_(variety.uses.begin(), variety.uses.end()),
         run_(variety.run_before) {
     uses_.resize(states, 0);
+    for (const int uses : uses_) factors_.push_back(std::pow(variety.repeat_factor, uses));
   }
 
   // The first state goes on with the run before.
@@ -178,7 +223,7 @@ class WalkMemory {
     run_ = goes_on ? run_ + 1 : 1;
     is_first_ = false;
     last_ = state;
-    ++uses_[state];
+    factors_[state] = std::pow(variety_.repeat_factor, ++uses_[state]);
   }
 
   // Changes the weights of the states after the last. They stay as they are where all would
@@ -189,7 +234,7 @@ class WalkMemory {
     for (std::size_t k = 0; k < weights.size(); ++k) {
       if (weighed_[k] == 0) continue;
       const bool coherent = row.coherent > 0 && k == last_ + 1;
-      weighed_[k] *= coherent ? going_on() : std::pow(variety_.repeat_factor, uses_[k]);
+      weighed_[k] *= coherent ? going_on() : factors_[k];
       sum += weighed_[k];
     }
     if (sum > 0) std::ranges::copy(weighed_, weights.begin());
@@ -205,6 +250,7 @@ class WalkMemory {
 
   const ChainVariety variety_;
   std::vector<int> uses_;
+  std::vector<double> factors_;  // of jumps to each state
   std::vector<double> weighed_;
   ChainState last_ = 0;
   bool is_first_ = true;
@@ -216,8 +262,8 @@ class WalkMemory {
 std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& task,
                                      const RandomStream& random, std::uint64_t first_place,
                                      const ChainVariety& variety) {
-  const SumMessages messages(model, task);
-  MessageTape tape(task.steps, model.state_count(), std::cref(messages));
+  SumMessages messages(model, task);
+  MessageTape tape(task.steps, model.state_count(), std::ref(messages));
   std::vector<double> weights(model.state_count());
   std::vector<ChainState> walk;
   walk.reserve(task.steps);
@@ -239,8 +285,8 @@ std::vector<ChainState> sample_chain(const ChainModel& model, const ChainTask& t
 }
 
 std::vector<ChainState> best_chain(const ChainModel& model, const ChainTask& task) {
-  const LeastMessages messages(model, task);
-  MessageTape tape(task.steps, model.state_count(), std::cref(messages));
+  LeastMessages messages(model, task);
+  MessageTape tape(task.steps, model.state_count(), std::ref(messages));
   std::vector<ChainState> walk;
   walk.reserve(task.steps);
   for (std::size_t step = 0; step < task.steps; ++step) {

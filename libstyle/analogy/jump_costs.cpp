@@ -2,53 +2,24 @@
 #include "libstyle/analogy/jump_costs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace libstyle {
 namespace {
 
-constexpr int kReach = 8;  // taps to each side
-constexpr std::size_t kTaps = 2 * kReach + 1;
-constexpr std::size_t kComponents = 4;  // offset and tangent of a lane, before its features
-constexpr double kTapsPerFeature = 4;
-constexpr double kFeatureWeight = 0.1;  // a squared spread, in squared feature sizes
-
-constexpr std::size_t kMaxJumps = 16;     // the best of a state; more are hardly ever taken
-constexpr double kApart = 2;              // feature sizes between different places
-constexpr double kAnywhere = 1e-9;        // probability of a step that pays no heed to looks
-constexpr double kLeastTolerance = 1e-4;  // of the squared feature size, for exact repetitions
-constexpr double kLargestJumpProbability = 0.5;
-
-double tap_weight(std::size_t tap) {
-  const double sigmas = (static_cast<double>(tap) - kReach) / kTapsPerFeature;
-  return std::exp(-0.5 * sigmas * sigmas);
-}
+constexpr double kReach = 2;              // feature sizes to each side
+constexpr double kSamplesPerFeature = 4;  // as many as fit whole steps
+constexpr std::size_t kComponents = 4;    // offset and tangent of a lane, before its features
+constexpr double kFeatureWeight = 0.1;    // a squared spread, in squared feature sizes
+constexpr double kRounding = 1e-9;        // samples that lie on the end of a line exist
 
 }  // namespace
 
-struct JumpCosts::Window {
-  std::array<std::vector<double>, kTaps> components;
-  std::array<bool, kTaps> present;
-};
-
 JumpCosts::JumpCosts(const Example& example)
     : example_(example),
-      components_(example.lane_count() * (kComponents + example.features().size())),
-      windows_(kTaps * components_ * example.state_count()),
-      present_(kTaps * example.state_count()) {
+      components_(example.lane_count() * (kComponents + example.features().size())) {
   weigh_features();
-  const std::size_t states = example.state_count();
-  for (std::size_t j = 0; j < states; ++j) {
-    const Window window = window_at(example.line(j), example.length_of(j));
-    for (std::size_t tap = 0; tap < kTaps; ++tap) {
-      present_[tap * states + j] = window.present[tap] ? 1.0 : 0.0;
-      for (std::size_t c = 0; c < components_; ++c) {
-        windows_[(tap * components_ + c) * states + j] = window.components[tap][c];
-      }
-    }
-  }
+  lay_grid();
 }
 
 // The parts of a colour share one spread.
@@ -65,16 +36,53 @@ void JumpCosts::weigh_features() {
   }
 }
 
-JumpCosts::Window JumpCosts::window_at(const ExampleLine& line, double length) const {
-  Window window;
-  const double spacing = example_.feature_along() / kTapsPerFeature;
-  const double slack = 1e-9 * line.length();
-  for (std::size_t tap = 0; tap < kTaps; ++tap) {
-    const double place = length + (static_cast<double>(tap) - kReach) * spacing;
-    window.present[tap] = line.goes_round() || (place >= -slack && place <= line.length() + slack);
-    for (const Lane& lane : line.lanes()) append_components(window.components[tap], lane, place);
+void JumpCosts::lay_grid() {
+  const double feature = example_.feature_along();
+  fine_ = static_cast<std::size_t>(
+      std::max(1.0, std::round(kSamplesPerFeature * example_.step() / feature)));
+  const double spacing = example_.step() / static_cast<double>(fine_);
+  reach_ = static_cast<int>(kReach * feature / spacing + kRounding);
+  weight_sums_ = {0};
+  for (int tap = -reach_; tap <= reach_; ++tap) {
+    const double sigmas = tap * spacing / feature;
+    tap_weights_.push_back(std::exp(-0.5 * sigmas * sigmas));
+    weight_sums_.push_back(weight_sums_.back() + tap_weights_.back());
   }
-  return window;
+  rows_.resize(tap_weights_.size());
+
+  const std::size_t margin = static_cast<std::size_t>(reach_) / fine_ + 1;
+  for (std::size_t j = 0; j < example_.state_count(); ++j) {
+    if (j == 0 || !example_.has_next(j - 1)) slots_ += margin;
+    starts_.push_back(slots_++);
+    // The end of the last state is a place, too.
+    if (!example_.has_next(j)) slots_ += 1 + margin;
+  }
+  samples_.resize(components_ * slots_ * fine_);
+  present_.resize(slots_ * fine_);
+  sums_.resize(slots_);
+  for (std::size_t first = 0, end = 0; first < starts_.size(); first = end) {
+    for (end = first + 1; example_.has_next(end - 1);) ++end;
+    sample_line(example_.line(first), starts_[first] * fine_, end - first);
+  }
+  for (const std::size_t start : starts_) taps_.push_back(taps_at(start * fine_));
+}
+
+void JumpCosts::sample_line(const ExampleLine& line, std::size_t first_place, std::size_t states) {
+  const double spacing = example_.step() / static_cast<double>(fine_);
+  const double slack = kRounding * line.length();
+  const int last = static_cast<int>(states * fine_) + reach_;
+  std::vector<double> components;
+  for (int i = -reach_; i <= last; ++i) {
+    const double length = i * spacing;
+    if (!line.goes_round() && !(length >= -slack && length <= line.length() + slack)) continue;
+    const std::size_t slot = at(first_place + static_cast<std::size_t>(i));
+    present_[slot] = 1;
+    components.clear();
+    for (const Lane& lane : line.lanes()) append_components(components, lane, length);
+    for (std::size_t c = 0; c < components_; ++c) {
+      samples_[c * present_.size() + slot] = components[c];
+    }
+  }
 }
 
 // A lane with the pen up is nothing: against one with the pen down it counts the offset there and,
@@ -95,187 +103,66 @@ void JumpCosts::append_components(std::vector<double>& components, const Lane& l
   components.resize(end);
 }
 
-void JumpCosts::compare(const Window& window, std::span<double> costs) const {
-  const std::size_t states = example_.state_count();
-  std::vector<double> weights(states, 0.0), sums(states);
-  std::ranges::fill(costs, 0.0);
-  for (std::size_t tap = 0; tap < kTaps; ++tap) {
-    if (!window.present[tap]) continue;
-    std::ranges::fill(sums, 0.0);
-    for (std::size_t c = 0; c < components_; ++c) {
-      const double* other = &windows_[(tap * components_ + c) * states];
-      const double own = window.components[tap][c];
-      for (std::size_t j = 0; j < states; ++j) sums[j] += (other[j] - own) * (other[j] - own);
-    }
-    const double* present = &present_[tap * states];
-    const double weight = tap_weight(tap);
-    for (std::size_t j = 0; j < states; ++j) {
-      costs[j] += weight * present[j] * sums[j];
-      weights[j] += weight * present[j];
-    }
-  }
-  // The middle tap is always there, so no weight is 0.
-  for (std::size_t j = 0; j < states; ++j) costs[j] /= weights[j];
+JumpCosts::Taps JumpCosts::taps_at(std::size_t place) const {
+  const auto is_there = [&](std::size_t tap) {
+    return present_[at(place + tap - static_cast<std::size_t>(reach_))] != 0;
+  };
+  Taps taps{0, tap_weights_.size()};
+  while (taps.begin < taps.end && !is_there(taps.begin)) ++taps.begin;
+  while (taps.begin < taps.end && !is_there(taps.end - 1)) --taps.end;
+  return taps;
 }
 
-void JumpCosts::from_end_of(std::size_t from, std::span<double> costs) const {
-  compare(window_at(example_.line(from), example_.length_of(from) + example_.step()), costs);
+double JumpCosts::weight_of(Taps taps) const {
+  return taps.begin < taps.end ? weight_sums_[taps.end] - weight_sums_[taps.begin] : 0;
 }
 
-void JumpCosts::from_start_of(std::size_t from, std::span<double> costs) const {
-  compare(window_at(example_.line(from), example_.length_of(from)), costs);
+// Where there is no sample the difference is 0.
+const std::vector<double>& JumpCosts::differences_from(std::size_t place) {
+  Row& row = rows_[place % rows_.size()];
+  if (row.place == place) return row.differences;
+  row.place = place;
+  row.differences.assign(slots_, 0.0);
+  double* sums = row.differences.data();
+  const double* others = samples_.data() + (place % fine_) * slots_;
+  for (std::size_t c = 0; c < components_; ++c, others += present_.size()) {
+    const double own = others[place / fine_];
+    for (std::size_t s = 0; s < slots_; ++s) sums[s] += (others[s] - own) * (others[s] - own);
+  }
+  const double* present = present_.data() + (place % fine_) * slots_;
+  for (std::size_t s = 0; s < slots_; ++s) sums[s] *= present[s];
+  return row.differences;
 }
 
-namespace {
-
-// ---- From costs to probabilities --------------------------------------------------------------
-
-class JumpModelMaker {
- public:
-  JumpModelMaker(const Example& example, double mean_run, bool ends_allowed)
-      : example_(example), costs_(example), mean_run_(mean_run) {
-    find_landings(ends_allowed);
-    find_tolerance();
-    find_jumps();
-    set_probabilities();
-  }
-
-  JumpModel take() { return std::move(model_); }
-
- private:
-  // Whether a jump to the beginning of `to` would only repeat what is around `length` of `from`.
-  bool too_near(std::size_t from, double length, std::size_t to) const {
-    if (example_.line_of(from) != example_.line_of(to)) return false;
-    const ExampleLine& line = example_.line(from);
-    double away = std::abs(length - example_.length_of(to));
-    if (line.goes_round()) away = std::min(away, std::abs(line.length() - away));
-    return away < apart_of(from);
-  }
-
-  // A short line has no two places that far apart; a quarter of it has to do. States lie whole
-  // steps apart, and the quarter of a step keeps rounding from deciding about them.
-  double apart_of(std::size_t state) const {
-    return std::min(kApart * example_.feature_along(), example_.line(state).length() / 4) -
-           example_.step() / 4;
-  }
-
-  void find_landings(bool ends_allowed) {
-    model_.chain.landing.resize(example_.state_count());
-    for (std::size_t j = 0; j < example_.state_count(); ++j) {
-      const double rest = example_.line(j).length() - example_.length_of(j);
-      const bool goes_on = ends_allowed || example_.line(j).goes_round();
-      model_.chain.landing[j] = goes_on || rest >= apart_of(j);
+void JumpCosts::compare(std::size_t place, std::span<double> costs) {
+  const Taps taps = taps_at(place);
+  std::ranges::fill(sums_, 0.0);
+  for (std::size_t tap = taps.begin; tap < taps.end; ++tap) {
+    const std::size_t sample = place + tap - static_cast<std::size_t>(reach_);
+    const double* differences = differences_from(sample).data();
+    const double weight = tap_weights_[tap];
+    // The same tap of the place in slot s is in slot s + shift.
+    const auto shift =
+        static_cast<std::ptrdiff_t>(sample / fine_) - static_cast<std::ptrdiff_t>(place / fine_);
+    const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, -shift));
+    const std::size_t end = slots_ - static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, shift));
+    for (std::size_t s = first; s < end; ++s) {
+      sums_[s] += weight * differences[s + static_cast<std::size_t>(shift)];
     }
   }
-
-  void find_tolerance() {
-    const std::size_t states = example_.state_count();
-    std::vector<double> row(states), nearest;
-    for (std::size_t j = 0; j < states; ++j) {
-      costs_.from_start_of(j, row);
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < states; ++k) {
-        if (!too_near(j, example_.length_of(j), k)) least = std::min(least, row[k]);
-      }
-      if (std::isfinite(least)) nearest.push_back(least);
-    }
-    const double size = example_.feature_size();
-    model_.tolerance = kLeastTolerance * size * size;
-    if (nearest.empty()) return;
-    const auto tenth = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 10);
-    std::ranges::nth_element(nearest, tenth);
-    model_.tolerance = std::max(model_.tolerance, *tenth);
+  for (std::size_t k = 0; k < costs.size(); ++k) {
+    const Taps common{std::max(taps.begin, taps_[k].begin), std::min(taps.end, taps_[k].end)};
+    const double weight = weight_of(common);
+    costs[k] = weight > 0 ? sums_[starts_[k]] / weight : std::numeric_limits<double>::infinity();
   }
+}
 
-  // Local minima only: the best phase of every place, not many of the same.
-  std::vector<ChainJump> best_jumps(std::size_t from, std::span<const double> row) const {
-    const double length = example_.length_of(from) + example_.step();
-    std::vector<ChainJump> found;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const bool least =
-          (k == 0 || row[k] <= row[k - 1]) && (k + 1 == row.size() || row[k] < row[k + 1]);
-      if (!least || !model_.chain.landing[k] || too_near(from, length, k)) continue;
-      if (example_.has_next(from) && k == from + 1) continue;
-      found.push_back({static_cast<ChainState>(k), row[k]});
-    }
-    const auto cheaper = [](const ChainJump& a, const ChainJump& b) {
-      return a.probability < b.probability ||
-             (a.probability == b.probability && a.target < b.target);
-    };
-    std::ranges::sort(found, cheaper);
-    if (found.size() > kMaxJumps) found.resize(kMaxJumps);
-    return found;
-  }
+void JumpCosts::from_start_of(std::size_t from, std::span<double> costs) {
+  compare(starts_[from] * fine_, costs);
+}
 
-  // Fills the jumps with exp(-cost / tolerance), relative to the best one where the line ends and a
-  // jump has to be made.
-  void find_jumps() {
-    std::vector<double> row(example_.state_count());
-    for (std::size_t j = 0; j < example_.state_count(); ++j) {
-      costs_.from_end_of(j, row);
-      std::vector<ChainJump> jumps = best_jumps(j, row);
-      const double reference = goes_on(j) || jumps.empty() ? 0 : jumps.front().probability;
-      for (ChainJump& jump : jumps) {
-        jump.probability = std::exp((reference - jump.probability) / model_.tolerance);
-      }
-      std::erase_if(jumps, [](const ChainJump& jump) { return jump.probability < 1e-12; });
-      std::ranges::sort(jumps, {}, &ChainJump::target);
-      model_.chain.rows.push_back({0, 0, std::move(jumps)});
-    }
-  }
-
-  // Whether the example goes on after a state, be it at its own beginning.
-  bool goes_on(std::size_t j) const {
-    return example_.has_next(j) || example_.line(j).goes_round();
-  }
-
-  // Leads from the last state of a line that goes round to its first: a jump that shows nothing.
-  void close(ChainRow& row, std::size_t last, double probability) const {
-    std::size_t first = last;
-    while (first > 0 && example_.line_of(first - 1) == example_.line_of(last)) --first;
-    const ChainJump jump{static_cast<ChainState>(first), probability};
-    row.jumps.insert(std::ranges::upper_bound(row.jumps, jump.target, {}, &ChainJump::target),
-                     jump);
-  }
-
-  static double mass(const ChainRow& row) {
-    double sum = 0;
-    for (const ChainJump& jump : row.jumps) sum += jump.probability;
-    return sum;
-  }
-
-  void set_probabilities() {
-    double mean_mass = 0;
-    for (const ChainRow& row : model_.chain.rows) mean_mass += mass(row);
-    mean_mass /= static_cast<double>(example_.state_count());
-    const double usual = example_.step() / (mean_run_ * example_.feature_along());
-    for (std::size_t j = 0; j < example_.state_count(); ++j) {
-      ChainRow& row = model_.chain.rows[j];
-      const double own_mass = mass(row);
-      double leave = std::min(kLargestJumpProbability, usual * own_mass / mean_mass);
-      if (!goes_on(j)) leave = 1 - kAnywhere;
-      if (row.jumps.empty()) leave = 0;
-      for (ChainJump& jump : row.jumps) jump.probability *= leave / own_mass;
-      row.anywhere = goes_on(j) ? kAnywhere : 1 - leave;
-      const double coherent = goes_on(j) ? 1 - leave - kAnywhere : 0;
-      if (example_.has_next(j)) {
-        row.coherent = coherent;
-      } else if (goes_on(j)) {
-        close(row, j, coherent);
-      }
-    }
-  }
-
-  const Example& example_;
-  JumpCosts costs_;
-  double mean_run_;
-  JumpModel model_;
-};
-
-}  // namespace
-
-JumpModel make_jump_model(const Example& example, double mean_run, bool ends_allowed) {
-  return JumpModelMaker(example, mean_run, ends_allowed).take();
+void JumpCosts::from_end_of(std::size_t from, std::span<double> costs) {
+  compare((starts_[from] + 1) * fine_, costs);
 }
 
 }  // namespace libstyle

@@ -13,7 +13,7 @@
 #include "libstyle/analogy/assembly.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/held_costs.h"
-#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/jump_model.h"
 #include "libstyle/analogy/line_constraints.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/style_grid.h"

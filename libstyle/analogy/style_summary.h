@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "libstyle/analogy/example.h"
-#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/jump_model.h"
 #include "libstyle/analogy/parameters.h"
 
 namespace libstyle {

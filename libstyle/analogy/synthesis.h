@@ -49,7 +49,7 @@
 #include "libstyle/analogy/curve_constraint.h"
 #include "libstyle/analogy/example.h"
 #include "libstyle/analogy/greedy/greedy_search.h"
-#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/jump_model.h"
 #include "libstyle/analogy/parameters.h"
 #include "libstyle/analogy/runs.h"
 #include "libstyle/analogy/style_summary.h"

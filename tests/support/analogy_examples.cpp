@@ -71,4 +71,15 @@ double distance_from(const Polyline& curve, Point p) {
   return least;
 }
 
+ExamplePair wave_pair(double length, double phase) {
+  ExamplePair pair;
+  Polyline wave;
+  for (double x = 0; x <= length; x += 0.25) {
+    wave.points.push_back({x, 5 * std::sin(2 * std::numbers::pi * x / 20 + phase)});
+  }
+  pair.filtered = with_length_parameter(wave);
+  pair.unfiltered = SampledCurve{Polyline{{{0, 0}, {length, 0}}, false}, {0, 1}, {}};
+  return pair;
+}
+
 }  // namespace libstyle

@@ -16,6 +16,9 @@ Polyline wandering_wave(std::uint64_t seed, double length);
 // The wave over a line of 600 px.
 ExamplePair wavy_pair();
 
+// A sine of 20 px a wave, 5 px high, over a line of that length.
+ExamplePair wave_pair(double length, double phase = 0);
+
 // An open curve that bends both ways, 600 px from end to end, and a smooth closed one.
 Polyline s_curve();
 Polyline egg();

@@ -7,26 +7,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/analogy_examples.h"
 #include "tests/support/curves.h"
 
 namespace libstyle {
 namespace {
 
-ExamplePair wave_pair(double length, double phase = 0) {
-  ExamplePair pair;
-  Polyline wave;
-  for (double x = 0; x <= length; x += 0.25) {
-    wave.points.push_back({x, 5 * std::sin(2 * std::numbers::pi * x / 20 + phase)});
-  }
-  pair.filtered = with_length_parameter(wave);
-  pair.unfiltered = SampledCurve{Polyline{{{0, 0}, {length, 0}}, false}, {0, 1}, {}};
-  return pair;
-}
-
 TEST(JumpCosts, FindThePhaseOfAWave) {
   const ExamplePair pair = wave_pair(400);
   const Example example({&pair, 1}, {});
-  const JumpCosts costs(example);
+  JumpCosts costs(example);
   std::vector<double> row(example.state_count());
   const auto whole_wave = static_cast<std::size_t>(std::lround(20 / example.step()));
   const std::size_t from = example.state_count() / 2;
@@ -39,7 +29,7 @@ TEST(JumpCosts, FindThePhaseOfAWave) {
 TEST(JumpCosts, EndsAreComparedByWhatIsThere) {
   const ExamplePair pair = wave_pair(400);
   const Example example({&pair, 1}, {});
-  const JumpCosts costs(example);
+  JumpCosts costs(example);
   std::vector<double> row(example.state_count());
   costs.from_end_of(example.state_count() - 1, row);
   // The end of the wave has the phase of the places whole waves before it.
@@ -71,58 +61,65 @@ TEST(JumpCosts, WidthsThatDifferCostAsMuchAsTheySpread) {
   EXPECT_LT(costs_of(pair, 1), 1);
 }
 
-TEST(JumpModel, EveryRowIsADistribution) {
+// The definition, sample by sample, from place a along one line to place b along another.
+double literal_cost(const Example& example, const ExampleLine& line_a, double a,
+                    const ExampleLine& line_b, double b, int fine) {
+  const double spacing = example.step() / fine;
+  double sum = 0, weights = 0;
+  for (int tap = -100; tap <= 100; ++tap) {
+    const double off = tap * spacing;
+    if (std::abs(off) > 2 * example.feature_along() + 1e-9) continue;
+    const auto is_there = [&](const ExampleLine& line, double length) {
+      const double slack = 1e-9 * line.length();
+      return line.goes_round() || (length >= -slack && length <= line.length() + slack);
+    };
+    if (!is_there(line_a, a + off) || !is_there(line_b, b + off)) continue;
+    const ExampleLine::Sample p = line_a.at(a + off), q = line_b.at(b + off);
+    const double size = example.feature_size();
+    const double weight = std::exp(-0.5 * std::pow(off / example.feature_along(), 2));
+    sum += weight *
+           (squared_norm(p.offset - q.offset) + size * size * squared_norm(p.tangent - q.tangent));
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+// All starts and ends of some states against all states.
+void expect_literal_costs(const Example& example, int fine) {
+  JumpCosts costs(example);
+  std::vector<double> row(example.state_count());
+  const double largest = 10 * squared_norm(Vector{example.reach(), example.feature_size()});
+  for (std::size_t j = 0; j < row.size(); j += 1 + row.size() / 40) {
+    for (const double after : {0.0, example.step()}) {
+      after == 0 ? costs.from_start_of(j, row) : costs.from_end_of(j, row);
+      const double place = example.length_of(j) + after;
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        const double literal = literal_cost(example, example.line(j), place, example.line(k),
+                                            example.length_of(k), fine);
+        ASSERT_NEAR(row[k], literal, 1e-9 * largest) << j << " + " << after << " -> " << k;
+      }
+    }
+  }
+}
+
+TEST(JumpCosts, AreThoseOfTheDefinition) {
   const ExamplePair pairs[] = {wave_pair(300), wave_pair(160, 1)};
-  const Example example(pairs, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
-  ASSERT_EQ(chain.state_count(), example.state_count());
-  for (ChainState j = 0; j < chain.state_count(); ++j) {
-    double sum = 0;
-    for (ChainState k = 0; k < chain.state_count(); ++k) {
-      sum += transition_probability(chain, j, k);
-    }
-    EXPECT_NEAR(sum, 1, 1e-9);
-    EXPECT_GT(chain.rows[j].anywhere, 0);
-    EXPECT_EQ(chain.rows[j].coherent > 0, example.has_next(j));
-  }
+  expect_literal_costs(Example(pairs, {}), 1);
+  ExamplePair ring{std::nullopt, with_length_parameter(circle({0, 0}, 60, 200))};
+  RandomValues random(3);
+  ring.filtered.polyline = with_noise(ring.filtered.polyline, random, 1);
+  expect_literal_costs(Example({&ring, 1}, {}), 1);
 }
 
-TEST(JumpModel, NoJumpGoesNearbyOrIntoTheLastFeatures) {
-  const ExamplePair pair = wave_pair(400);
-  const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
-  const double apart = 2 * example.feature_along() - example.step() / 2;
-  std::size_t jumps = 0;
-  for (ChainState j = 0; j < chain.state_count(); ++j) {
-    for (const ChainJump& jump : chain.rows[j].jumps) {
-      ++jumps;
-      EXPECT_GE(400 - example.length_of(jump.target), apart);
-      EXPECT_GE(std::abs(example.length_of(jump.target) - example.length_of(j) - example.step()),
-                apart);
-    }
-  }
-  EXPECT_GT(jumps, chain.state_count());
-}
-
-TEST(JumpModel, MeanRunIsWhatWasAskedFor) {
-  const ExamplePair pair = wave_pair(1200);
-  const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
-  double leave = 0;
-  for (const ChainRow& row : chain.rows) leave += 1 - row.coherent;
-  leave /= static_cast<double>(chain.state_count());
-  const double mean_run = example.step() / leave / example.feature_along();
-  EXPECT_NEAR(mean_run, 8, 1.5);
-}
-
-TEST(JumpModel, AnExampleWithoutItsLikeOnlyGoesOn) {
-  // A single bump on a short line: there is nothing to jump to before the end.
-  ExamplePair pair;
-  pair.filtered = with_length_parameter(polyline("0 0, 10 0, 13 9, 16 0, 26 0"));
-  pair.unfiltered = with_length_parameter(polyline("0 0, 26 0"));
-  const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
-  EXPECT_GT(std::ranges::count(chain.landing, 1), 0);
+// So many features that a step is longer than the distance between samples.
+TEST(JumpCosts, AreThoseOfTheDefinitionOnAFinerGrid) {
+  CurveAnalogyParameters parameters;
+  parameters.feature_size = 0.5;
+  const ExamplePair pair = wave_pair(2500);
+  const Example example({&pair, 1}, parameters);
+  const int fine = static_cast<int>(std::lround(4 * example.step() / example.feature_along()));
+  ASSERT_GT(fine, 2);
+  expect_literal_costs(example, fine);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "libstyle/analogy/chain.h"
-#include "libstyle/analogy/jump_costs.h"
+#include "libstyle/analogy/jump_model.h"
 #include "libstyle/geometry/sampled_curve.h"
 #include "tests/support/curves.h"
 
