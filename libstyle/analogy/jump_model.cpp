@@ -21,9 +21,9 @@ constexpr double kLargestJumpProbability = 0.5;
 
 class JumpModelMaker {
  public:
-  JumpModelMaker(const Example& example, double mean_run, bool ends_allowed)
-      : example_(example), costs_(example), mean_run_(mean_run) {
-    find_landings(ends_allowed);
+  JumpModelMaker(const Example& example, const JumpParameters& parameters)
+      : example_(example), costs_(example), parameters_(parameters) {
+    find_landings();
     compare_places();
     find_tolerance();
     weigh_jumps();
@@ -54,11 +54,11 @@ class JumpModelMaker {
            example_.step() / 4;
   }
 
-  void find_landings(bool ends_allowed) {
+  void find_landings() {
     model_.chain.landing.resize(example_.state_count());
     for (std::size_t j = 0; j < example_.state_count(); ++j) {
       const double rest = example_.line(j).length() - example_.length_of(j);
-      const bool goes_on = ends_allowed || example_.line(j).goes_round();
+      const bool goes_on = parameters_.ends_allowed || example_.line(j).goes_round();
       model_.chain.landing[j] = goes_on || rest >= apart_of(j);
     }
   }
@@ -89,10 +89,10 @@ class JumpModelMaker {
   void find_tolerance() {
     const double size = example_.feature_size();
     model_.tolerance = kLeastTolerance * size * size;
-    if (nearest_.empty()) return;
+    if (nearest_.empty()) return;  // there is nothing to jump to
     const auto tenth = nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_.size() / 10);
     std::ranges::nth_element(nearest_, tenth);
-    model_.tolerance = std::max(model_.tolerance, *tenth);
+    model_.tolerance = parameters_.freedom * std::max(model_.tolerance, *tenth);
   }
 
   // Local minima only: the best phase of every place, not many of the same. Next to a place that
@@ -156,7 +156,7 @@ class JumpModelMaker {
     double mean_mass = 0;
     for (const ChainRow& row : model_.chain.rows) mean_mass += mass(row);
     mean_mass /= static_cast<double>(example_.state_count());
-    const double usual = example_.step() / (mean_run_ * example_.feature_along());
+    const double usual = example_.step() / (parameters_.mean_run * example_.feature_along());
     for (std::size_t j = 0; j < example_.state_count(); ++j) {
       ChainRow& row = model_.chain.rows[j];
       const double own_mass = mass(row);
@@ -176,7 +176,7 @@ class JumpModelMaker {
 
   const Example& example_;
   JumpCosts costs_;
-  double mean_run_;
+  JumpParameters parameters_;
   std::vector<double> nearest_;                // for each place, the cost of the nearest other one
   std::vector<std::vector<Candidate>> jumps_;  // for each state, the best, cheapest first
   JumpModel model_;
@@ -184,8 +184,8 @@ class JumpModelMaker {
 
 }  // namespace
 
-JumpModel make_jump_model(const Example& example, double mean_run, bool ends_allowed) {
-  return JumpModelMaker(example, mean_run, ends_allowed).take();
+JumpModel make_jump_model(const Example& example, const JumpParameters& parameters) {
+  return JumpModelMaker(example, parameters).take();
 }
 
 }  // namespace libstyle

@@ -41,7 +41,7 @@ std::vector<HeldCosts::Place> offsets_of(std::span<const HeldPlace> held, const 
 LineWalk::LineWalk(const Example& example, const CurveAnalogyParameters& parameters)
     : example_(example),
       parameters_(parameters),
-      jumps_(make_jump_model(example, parameters.mean_run.value_or(kMeanRun), !samples())),
+      jumps_(make_jump_model(example, {.mean_run = mean_run(), .ends_allowed = !samples()})),
       held_costs_(example) {}
 
 double LineWalk::mean_run() const { return parameters_.mean_run.value_or(kMeanRun); }

@@ -15,7 +15,7 @@ namespace {
 TEST(JumpModel, EveryRowIsADistribution) {
   const ExamplePair pairs[] = {wave_pair(300), wave_pair(160, 1)};
   const Example example(pairs, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
+  const ChainModel chain = make_jump_model(example, {}).chain;
   ASSERT_EQ(chain.state_count(), example.state_count());
   for (ChainState j = 0; j < chain.state_count(); ++j) {
     double sum = 0;
@@ -31,7 +31,7 @@ TEST(JumpModel, EveryRowIsADistribution) {
 TEST(JumpModel, NoJumpGoesNearbyOrIntoTheLastFeatures) {
   const ExamplePair pair = wave_pair(400);
   const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
+  const ChainModel chain = make_jump_model(example, {}).chain;
   const double apart = 2 * example.feature_along() - example.step() / 2;
   std::size_t jumps = 0;
   for (ChainState j = 0; j < chain.state_count(); ++j) {
@@ -48,7 +48,7 @@ TEST(JumpModel, NoJumpGoesNearbyOrIntoTheLastFeatures) {
 TEST(JumpModel, MeanRunIsWhatWasAskedFor) {
   const ExamplePair pair = wave_pair(1200);
   const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
+  const ChainModel chain = make_jump_model(example, {}).chain;
   double leave = 0;
   for (const ChainRow& row : chain.rows) leave += 1 - row.coherent;
   leave /= static_cast<double>(chain.state_count());
@@ -62,7 +62,7 @@ TEST(JumpModel, AnExampleWithoutItsLikeOnlyGoesOn) {
   pair.filtered = with_length_parameter(polyline("0 0, 10 0, 13 9, 16 0, 26 0"));
   pair.unfiltered = with_length_parameter(polyline("0 0, 26 0"));
   const Example example({&pair, 1}, {});
-  const ChainModel chain = make_jump_model(example, 8, false).chain;
+  const ChainModel chain = make_jump_model(example, {}).chain;
   EXPECT_GT(std::ranges::count(chain.landing, 1), 0);
 }
 

@@ -38,7 +38,7 @@ std::vector<Vector> moves_of(const Example& example, const std::vector<ChainStat
 
 TEST(WalkAim, LearnsToGetWhereItShould) {
   const Example example = stroke_example();
-  const JumpModel jumps = make_jump_model(example, 2, false);
+  const JumpModel jumps = make_jump_model(example, {.mean_run = 2});
   const double far = 0.3 * kSteps / 2 * example.step();
   const WalkAim::Stretch stretches[] = {{0, kSteps / 2, {far, 0}}, {kSteps / 2, kSteps, {0, -far}}};
   double free = 0, aimed = 0;
