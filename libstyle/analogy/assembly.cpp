@@ -143,7 +143,7 @@ DrawnLine draw_stroke(const Example& example, const Ground& ground, std::vector<
     const auto at = std::ranges::lower_bound(held, xs[i], {}, &HeldPlace::x);
     const bool is_held = at != held.end() && at->x == xs[i];
     drawn.curve.points.push_back(is_held ? at->position.value_or(place) : place + offsets[i]);
-    if (is_held && at->position) drawn.pinned.push_back(i);
+    if (is_held) drawn.pinned.push_back(i);
   }
   return drawn;
 }

@@ -20,7 +20,7 @@ struct DrawnLine {
   Polyline curve;
   std::vector<double> lengths;                // along the plain line, for each point; never falling
   std::vector<std::vector<double>> features;  // for each feature of the example and each point
-  std::vector<std::size_t> pinned{};          // points that lie at given positions, rising
+  std::vector<std::size_t> pinned{};          // points that are held, rising
 };
 
 // A place of a line that it passes exactly.

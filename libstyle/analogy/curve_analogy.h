@@ -70,8 +70,8 @@ struct StyledCurve {
   Polyline curve;
   std::vector<double> lengths;       // along B, for each point; never falling
   std::vector<std::size_t> corners;  // points that are corners of B
-  // Points that lie exactly where constraints want them, rising, but for corners and ends, which
-  // may as well.
+  // Points that lie exactly where they are held, or where constraints want them, rising, but for
+  // corners and ends, which do as well.
   std::vector<std::size_t> pinned;
   std::vector<std::vector<double>> features;  // for each feature of the example and each point
   std::vector<DrawnLine> strokes;

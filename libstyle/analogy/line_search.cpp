@@ -153,7 +153,7 @@ LineSearch::Result LineSearch::draw(const Polyline& line, double scale,
     const auto point = static_cast<std::size_t>(at - drawn.curve.t.begin());
     // Scaling there and back rounds.
     result.line.curve.points[point] = given[i].position;
-    if (constraints[i].position) result.line.pinned.push_back(point);
+    result.line.pinned.push_back(point);
   }
   return result;
 }

@@ -6,7 +6,9 @@
 #include "libstyle/curves/writer.h"
 #include "libstyle/geometry/flatten.h"
 #include "libstyle/geometry/path_segments.h"
+#include "tests/support/analogy_examples.h"
 #include "tests/support/matchers.h"
+#include "tests/support/seeds.h"
 #include "tests/unit/analogy/wavy_drawing.h"
 
 namespace libstyle {
@@ -85,7 +87,7 @@ TEST(DrawAgain, LinesThatEndOnOthersStillMeetThem) {
   const Document result = drawn(document);
   EXPECT_EQ(path_at(result, 1).path.vertices().front(), (Point{110.5, 0}));
   // About 0.9 px where places are not held.
-  EXPECT_LT(distance_to(path_at(result, 0).path, {110.5, 0}), 0.5);
+  EXPECT_LT(distance_to(path_at(result, 0).path, {110.5, 0}), 1e-9);
 }
 
 // ---- Several styles -------------------------------------------------------------------------
@@ -117,6 +119,65 @@ Document garden() {
   document.records.push_back(path_record("door", "M110.5 0 L110.5 80"));
   document.records.push_back(path_record("fence", "M300 0 C350 0 420 30 500 90"));
   return document;
+}
+
+// Curves from node to node of a net, and some from a node to the middle of a straight one.
+struct Net {
+  struct Meeting {
+    std::size_t record;  // that another curve ends on
+    Point place;
+  };
+
+  Document document;
+  std::vector<Meeting> meetings;
+
+  void add(Point from, Point to, double bulge) {
+    PathRecord record;
+    const Vector third = (to - from) / 3, side = bulge * Vector{-third.y, third.x};
+    record.path.move_to(from);
+    record.path.cubic_to(from + third + side, to - third + side, to);
+    document.records.emplace_back(record);
+  }
+};
+
+Net random_net(RandomValues& random) {
+  constexpr std::size_t kSide = 10;
+  std::vector<Point> nodes;
+  for (std::size_t i = 0; i < kSide * kSide; ++i) {
+    const Point corner = {static_cast<double>(i % kSide), static_cast<double>(i / kSide)};
+    nodes.push_back(90 * corner + Vector{random.uniform(-15, 15), random.uniform(-15, 15)});
+  }
+  Net net;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const bool has_right = i % kSide + 1 < kSide, has_below = i + kSide < nodes.size();
+    if (has_right) net.add(nodes[i], nodes[i + 1], random.uniform(-0.5, 0.5));
+    if (!has_below) continue;
+    net.add(nodes[i], nodes[i + kSide], 0);
+    if (!has_right || i % 2 == 1) continue;
+    const Point middle = lerp(nodes[i], nodes[i + kSide], random.uniform(0.3, 0.7));
+    net.meetings.push_back({net.document.records.size() - 1, middle});
+    net.add(nodes[i + 1], middle, 0);
+  }
+  return net;
+}
+
+TEST(DrawAgain, EveryJunctionOfTwoHundredCurvesStaysClosed) {
+  for_each_seed(3, [&](std::uint64_t seed) {
+    RandomValues random(seed);
+    const Net net = random_net(random);
+    const Document after = drawn(net.document);
+    ASSERT_GE(after.records.size(), 200U);
+    for (std::size_t i = 0; i < after.records.size(); ++i) {
+      const Path &old = path_at(net.document, i).path, &fresh = path_at(after, i).path;
+      ASSERT_NE(fresh, old);
+      EXPECT_EQ(fresh.points().front(), old.points().front());
+      EXPECT_EQ(fresh.points().back(), old.points().back());
+    }
+    for (const Net::Meeting& meeting : net.meetings) {
+      const Path& path = path_at(after, meeting.record).path;
+      EXPECT_LT(distance_from(flatten(path, 1e-3)[0].polyline, meeting.place), 1e-9);
+    }
+  });
 }
 
 TEST(DrawAgain, OneStyleForAllIsAsOneStyle) {

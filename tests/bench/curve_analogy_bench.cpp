@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search against the listings of the paper, on one analogy: a wave on a hill, all of `range(0)`
-// spacings long. "cost" is E(B') of Eq. 6 at the finest level, by the listings, for each vertex.
+// The search and the chain against the listings of the paper, on one analogy: a wave on a hill, all
+// of `range(0)` spacings long. "cost" is E(B') of Eq. 6 at the finest level, by the listings, for
+// each vertex; "turning" how far the turning angles of B' are from those of A', in radians. The
+// style is prepared in the time too.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
+#include "libstyle/analogy/curve_analogy.h"
 #include "libstyle/analogy/greedy/greedy_search.h"
 #include "libstyle/geometry/arc_length.h"
 #include "libstyle/geometry/gaussian_pyramid.h"
+#include "libstyle/geometry/turning_statistics.h"
 #include "tests/bench/literal/literal_search.h"
 #include "tests/unit/analogy_greedy/curves.h"
 
@@ -38,6 +42,10 @@ struct Analogy {
   }
 };
 
+void count_turning(benchmark::State& state, const Analogy& analogy, const Polyline& drawn) {
+  state.counters["turning"] = turning_distance(drawn, analogy.a_filtered.polyline, kFinestSpacing);
+}
+
 void draw_literally(benchmark::State& state) {
   const Analogy analogy(static_cast<double>(state.range(0)));
   literal::CopiedCurve drawn;
@@ -46,6 +54,7 @@ void draw_literally(benchmark::State& state) {
                                                  paper_parameters());
   }
   state.counters["cost"] = analogy.cost_for_vertex(drawn.curve);
+  count_turning(state, analogy, drawn.curve.polyline);
 }
 
 void search(benchmark::State& state, SearchParameters parameters) {
@@ -55,14 +64,25 @@ void search(benchmark::State& state, SearchParameters parameters) {
   SearchedCurve drawn;
   for (auto _ : state) drawn = GreedySearch({&example, 1}, parameters).draw(analogy.b);
   state.counters["cost"] = analogy.cost_for_vertex(drawn.curve);
+  count_turning(state, analogy, drawn.curve.polyline);
 }
 
 void draw_faithfully(benchmark::State& state) { search(state, paper_parameters()); }
 void draw_greedily(benchmark::State& state) { search(state, SearchParameters{}); }
 
+void draw_by_chain(benchmark::State& state) {
+  const Analogy analogy(static_cast<double>(state.range(0)));
+  const ExamplePair pair{
+      .unfiltered = analogy.a, .filtered = analogy.a_filtered, .same_parameter = true};
+  Polyline drawn;
+  for (auto _ : state) drawn = draw_by_analogy(pair, analogy.b.polyline).curve;
+  count_turning(state, analogy, drawn);
+}
+
 BENCHMARK(draw_literally)->Arg(300)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_faithfully)->Arg(300)->Arg(1200)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw_greedily)->Arg(300)->Arg(1200)->Unit(benchmark::kMillisecond);
+BENCHMARK(draw_by_chain)->Arg(300)->Arg(1200)->Arg(4800)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace libstyle
