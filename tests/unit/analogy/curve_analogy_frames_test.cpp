@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "libstyle/analogy/curve_analogy.h"
 #include "libstyle/geometry/arc_length.h"
@@ -29,6 +31,15 @@ TEST(CurveAnalogy, FramesStayOrAreDrawnAfresh) {
               style.draw(line, {.place = 3, .held = {}, .variant = 1}).curve);
     EXPECT_NE(next_frame(style, line, first, 1, 0).curve, first.curve);
   }
+}
+
+// The point that is pinned at that share of the line.
+Point place_at(const StyledCurve& drawn, double share) {
+  const double length = share * arc_length(s_curve());
+  const auto nearer = [&](std::size_t a, std::size_t b) {
+    return std::abs(drawn.lengths[a] - length) < std::abs(drawn.lengths[b] - length);
+  };
+  return drawn.curve.points[*std::ranges::min_element(drawn.pinned, nearer)];
 }
 
 // The mean distance of a frame from the one before, at the same lengths along the line.
@@ -83,6 +94,28 @@ TEST(CurveAnalogy, LateFramesBendAsLinesDrawnAfresh) {
       afresh += turning_distance(pair.filtered.polyline, other, spacing);
     }
     EXPECT_LT(late, 1.4 * afresh);
+  }
+}
+
+// What a soft constraint comes to is settled in the first frame: it does not tremble.
+TEST(CurveAnalogy, FramesPassSoftConstraintsWhereTheFirstDid) {
+  const ExamplePair pair = wavy_pair();
+  const CurveAnalogy style({&pair, 1}, {});
+  for (const double weight : {0.001, 0.01, 1.0}) {
+    const std::vector<CurveConstraint> constraints = {{0.4, {250, 30}, weight}};
+    CurveTask task{.place = 3, .held = {}, .variant = 0, .constraints = constraints};
+    StyledCurve frame = style.draw(s_curve(), task);
+    const Point settled = place_at(frame, 0.4);
+    for (std::uint64_t i = 1; i <= 12; ++i) {
+      const StyledCurve before = std::move(frame);
+      task.variant = i;
+      task.before = &before.walks;
+      task.coherence = 0.5;
+      frame = style.draw(s_curve(), task);
+      EXPECT_LT(distance(place_at(frame, 0.4), settled), 1e-6);
+    }
+    EXPECT_NE(frame.curve,
+              style.draw(s_curve(), {.place = 3, .held = {}, .constraints = constraints}).curve);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,6 +11,7 @@
 #include "tests/support/analogy_examples.h"
 #include "tests/support/curves.h"
 #include "tests/support/matchers.h"
+#include "tests/support/seeds.h"
 
 namespace libstyle {
 namespace {
@@ -92,6 +94,33 @@ TEST(CurveAnalogy, OfSeveralStrokesTheNearestKeepsTheEnds) {
       EXPECT_EQ(stroke.curve.points.front(), (Point{0, 0}));
     }
   }
+}
+
+double nearest_stroke(const StyledCurve& drawn, Point place) {
+  double least = HUGE_VAL;
+  for (const DrawnLine& stroke : drawn.strokes) {
+    least = std::min(least, distance_from(stroke.curve, place));
+  }
+  return least;
+}
+
+TEST(CurveAnalogy, OfSeveralStrokesOneMeetsEachConstraint) {
+  const ExamplePair pair = rails();
+  const CurveAnalogy style({&pair, 1}, {});
+  const ArcLength along(s_curve());
+  for_each_seed(20, [&](std::uint64_t seed) {
+    RandomValues random(seed);
+    std::vector<CurveConstraint> constraints;
+    for (const double t : {random.uniform(0.1, 0.45), random.uniform(0.55, 0.9)}) {
+      const Vector off = {random.normal(15), random.normal(15)};
+      constraints.push_back({t, along.point_at(t * along.total()) + off, {}});
+    }
+    const StyledCurve drawn = style.draw(s_curve(), {seed, {}, 0, constraints});
+    EXPECT_EQ(drawn.strokes.size(), 3U);
+    for (const CurveConstraint& constraint : constraints) {
+      EXPECT_LT(nearest_stroke(drawn, constraint.position), 1e-9);
+    }
+  });
 }
 
 TEST(CurveAnalogy, StrokesGoRoundClosedLines) {
