@@ -26,7 +26,7 @@ struct Settings {
   DiffBounds bounds;
 };
 
-Image draw(const std::string& input, Session& session) {
+Raster draw(const std::string& input, Session& session) {
   Document document;
   DocumentInput documents(input, session.warning_handler());
   if (!documents.read(document)) throw Error(input + ": holds no document");
@@ -42,7 +42,7 @@ Image draw(const std::string& input, Session& session) {
 void run(const Settings& settings, Session& session) {
   const std::filesystem::path expected_name =
       std::filesystem::path(settings.input).replace_extension(".png");
-  const Image actual = draw(settings.input, session);
+  const Raster actual = draw(settings.input, session);
   if (session.warning_count() > 0) throw Error(settings.input + ": a case draws without warnings");
   if (std::getenv("LIBSTYLE_BLESS")) {
     save_image(expected_name, actual);
@@ -51,7 +51,7 @@ void run(const Settings& settings, Session& session) {
   if (!std::filesystem::exists(expected_name)) {
     throw Error("there is no picture yet; to make it: script/bless " + settings.name);
   }
-  const Image expected = load_image(expected_name);
+  const Raster expected = load_image(expected_name);
   const DiffResult result = compare(expected, actual, settings.bounds);
   if (result.passed) return;
   std::filesystem::create_directories(std::filesystem::path(settings.panels).parent_path());

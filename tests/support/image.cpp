@@ -42,9 +42,9 @@ std::uint32_t* row_of(cairo_surface_t* image, std::size_t y) {
 
 }  // namespace
 
-Image decode_png(std::string_view bytes) {
+Raster decode_png(std::string_view bytes) {
   const CairoSurface surface = decoded(bytes);
-  Image image(static_cast<std::size_t>(cairo_image_surface_get_width(surface.get())),
+  Raster image(static_cast<std::size_t>(cairo_image_surface_get_width(surface.get())),
               static_cast<std::size_t>(cairo_image_surface_get_height(surface.get())));
   for (std::size_t y = 0; y < image.height; ++y) {
     const std::uint32_t* row = row_of(surface.get(), y);
@@ -56,7 +56,7 @@ Image decode_png(std::string_view bytes) {
   return image;
 }
 
-void encode_png(ByteSink& sink, const Image& image) {
+void encode_png(ByteSink& sink, const Raster& image) {
   const CairoSurface surface(cairo_image_surface_create(
       CAIRO_FORMAT_ARGB32, static_cast<int>(image.width), static_cast<int>(image.height)));
   check_cairo(cairo_surface_status(surface.get()), "making a picture");
@@ -73,12 +73,12 @@ void encode_png(ByteSink& sink, const Image& image) {
   write_png(sink, surface.get());
 }
 
-Image load_image(const std::string& name) {
+Raster load_image(const std::string& name) {
   const auto source = open_input(name);
   return decode_png(read_all(*source, std::size_t{1} << 30, name));
 }
 
-void save_image(const std::string& name, const Image& image) {
+void save_image(const std::string& name, const Raster& image) {
   OutputFile file(name);
   encode_png(file, image);
   file.commit();

@@ -19,7 +19,7 @@ struct Range {
 };
 
 // The values of a channel around a pixel.
-Range neighbours(const Image& image, std::size_t x, std::size_t y, std::size_t channel) {
+Range neighbours(const Raster& image, std::size_t x, std::size_t y, std::size_t channel) {
   Range range;
   for (std::size_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, image.height - 1); ++v) {
     for (std::size_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, image.width - 1); ++u) {
@@ -29,7 +29,7 @@ Range neighbours(const Image& image, std::size_t x, std::size_t y, std::size_t c
   return range;
 }
 
-int difference(const Image& a, const Image& b, std::size_t x, std::size_t y, bool envelope) {
+int difference(const Raster& a, const Raster& b, std::size_t x, std::size_t y, bool envelope) {
   if (a.at(x, y) == b.at(x, y)) return 0;
   int largest = 0;
   for (std::size_t channel = 0; channel < 4; ++channel) {
@@ -42,7 +42,7 @@ int difference(const Image& a, const Image& b, std::size_t x, std::size_t y, boo
   return largest;
 }
 
-std::string size_of(const Image& image) {
+std::string size_of(const Raster& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
@@ -51,7 +51,7 @@ Pixel pale(Pixel pixel) {
   return pixel;
 }
 
-void paste(Image& target, const Image& source, std::size_t left) {
+void paste(Raster& target, const Raster& source, std::size_t left) {
   for (std::size_t y = 0; y < source.height; ++y) {
     for (std::size_t x = 0; x < source.width; ++x) {
       target.at(left + x, y) = on_white(source.at(x, y));
@@ -61,7 +61,7 @@ void paste(Image& target, const Image& source, std::size_t left) {
 
 }  // namespace
 
-DiffResult compare(const Image& expected, const Image& actual, const DiffBounds& bounds) {
+DiffResult compare(const Raster& expected, const Raster& actual, const DiffBounds& bounds) {
   DiffResult result;
   const auto close = [&](std::size_t a, std::size_t b) {
     return std::max(a, b) - std::min(a, b) <= bounds.size_slack;
@@ -90,11 +90,11 @@ DiffResult compare(const Image& expected, const Image& actual, const DiffBounds&
   return result;
 }
 
-Image three_panels(const Image& expected, const Image& actual, const DiffBounds& bounds) {
+Raster three_panels(const Raster& expected, const Raster& actual, const DiffBounds& bounds) {
   constexpr std::size_t kGap = 4;
   const std::size_t width = std::max(expected.width, actual.width);
   const std::size_t height = std::max(expected.height, actual.height);
-  Image panels(3 * width + 2 * kGap, height, {128, 128, 128, 255});
+  Raster panels(3 * width + 2 * kGap, height, {128, 128, 128, 255});
   paste(panels, expected, 0);
   paste(panels, actual, 2 * (width + kGap));
   for (std::size_t y = 0; y < std::min(expected.height, actual.height); ++y) {

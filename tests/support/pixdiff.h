@@ -29,9 +29,9 @@ struct DiffResult {
   std::string summary;
 };
 
-DiffResult compare(const Image& expected, const Image& actual, const DiffBounds& bounds);
+DiffResult compare(const Raster& expected, const Raster& actual, const DiffBounds& bounds);
 
 // Expected, difference and actual side by side on white. Bad pixels are red over a pale copy.
-Image three_panels(const Image& expected, const Image& actual, const DiffBounds& bounds);
+Raster three_panels(const Raster& expected, const Raster& actual, const DiffBounds& bounds);
 
 }  // namespace libstyle

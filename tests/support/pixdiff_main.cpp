@@ -21,8 +21,8 @@ struct Settings {
 void run(Settings& settings) {
   settings.bounds.size_slack = settings.pixel_larger ? 1 : 0;
   if (settings.inputs.size() != 2) throw UsageError("name two pictures: EXPECTED ACTUAL");
-  const Image expected = load_image(settings.inputs[0]);
-  const Image actual = load_image(settings.inputs[1]);
+  const Raster expected = load_image(settings.inputs[0]);
+  const Raster actual = load_image(settings.inputs[1]);
   const DiffResult result = compare(expected, actual, settings.bounds);
   std::cout << result.summary << "\n";
   if (result.passed) return;

@@ -24,7 +24,7 @@ TEST(DrawClip, LetsThroughWhatIsInside) {
 
 // Drawn as one path, parts of opposite direction would cancel where they overlap.
 TEST(DrawClip, PartsAreAUnionWhateverTheirDirection) {
-  const Image expected = draw(make_page({filled(kLeft), filled(kRight)}));
+  const Raster expected = draw(make_page({filled(kLeft), filled(kRight)}));
   for (const char* left : {kLeft, kLeftBackwards}) {
     const ClipRecord both = clip("c", {part(left), part(kRight)});
     EXPECT_EQ(draw(make_page({both, clipped(filled(kPage), "c")})), expected);
@@ -40,7 +40,7 @@ TEST(DrawClip, EachPartHasItsOwnRule) {
 }
 
 TEST(DrawClip, WithinAnotherClipIsTheIntersection) {
-  const Image expected = draw(make_page({filled("M40 10 L60 10 L60 90 L40 90 Z")}));
+  const Raster expected = draw(make_page({filled("M40 10 L60 10 L60 90 L40 90 Z")}));
   ClipRecord inner = clip("inner", {part(kRight)});
   inner.clip = "outer";
   EXPECT_EQ(draw(make_page({clip("outer", {part(kLeft)}), inner, clipped(filled(kPage), "inner")})),
@@ -58,7 +58,7 @@ TEST(DrawClip, WithoutPartsLetsNothingThrough) {
 
 TEST(DrawClip, AMissingClipIsWarnedAboutAndIgnored) {
   std::vector<Warning> warnings;
-  const Image image = draw(make_page({clipped(filled(kLeft), "c")}),
+  const Raster image = draw(make_page({clipped(filled(kLeft), "c")}),
                            [&](const Warning& w) { warnings.push_back(w); });
   EXPECT_EQ(image, draw(make_page({filled(kLeft)})));
   ASSERT_EQ(warnings.size(), 1u);
@@ -71,7 +71,7 @@ TEST(DrawClip, ReferencesForwardMakeNoCycle) {
   first.parts[0].clip = "a";
   ClipRecord second = clip("b", {part(kPage)});
   second.clip = "a";
-  const Image image = draw(make_page({first, second, clipped(filled(kPage), "b")}));
+  const Raster image = draw(make_page({first, second, clipped(filled(kPage), "b")}));
   EXPECT_EQ(image, draw(make_page({filled(kLeft), filled(kRight)})));
 }
 

@@ -57,15 +57,15 @@ std::string draw_png(const Document& document, const WarningHandler& warn) {
   return sink.text;
 }
 
-Image draw(const Document& document, const WarningHandler& warn) {
+Raster draw(const Document& document, const WarningHandler& warn) {
   return decode_png(draw_png(document, warn));
 }
 
-std::size_t count_different(const Image& a, const Image& b, int bound) {
+std::size_t count_different(const Raster& a, const Raster& b, int bound) {
   return compare(a, b, {bound, 0, 255, false}).bad;
 }
 
-double covered_area(const Image& image) {
+double covered_area(const Raster& image) {
   double area = 0;
   for (const Pixel& pixel : image.pixels) area += pixel[3] / 255.0;
   return area;

@@ -33,12 +33,12 @@ RecordType in(std::string parent, RecordType record) {
 
 // The document as PNG bytes, and as it looks.
 std::string draw_png(const Document& document, const WarningHandler& warn = {});
-Image draw(const Document& document, const WarningHandler& warn = {});
+Raster draw(const Document& document, const WarningHandler& warn = {});
 
 // How many pixels differ by more than `bound` in any channel.
-std::size_t count_different(const Image& a, const Image& b, int bound);
+std::size_t count_different(const Raster& a, const Raster& b, int bound);
 
 // The alpha of all pixels together, in pixels.
-double covered_area(const Image& image);
+double covered_area(const Raster& image);
 
 }  // namespace libstyle

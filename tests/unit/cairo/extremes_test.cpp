@@ -67,7 +67,7 @@ TEST(Extremes, AFillBeyondAllBoundsFillsThePage) {
 TEST(Extremes, ALineThroughThePageIsSeenWhereverItEnds) {
   for (const char* size : {"20000", "1e7", "1e12", "1e308"}) {
     const std::string s = size;
-    const Image image = draw(make_page({stroked("M-" + s + " 50 L" + s + " 50", 4)}));
+    const Raster image = draw(make_page({stroked("M-" + s + " 50 L" + s + " 50", 4)}));
     EXPECT_NEAR(covered_area(image), 400, 0.5) << size;
   }
 }
@@ -86,7 +86,7 @@ TEST(Extremes, CutPathsLookLikeWholeOnes) {
     record.style.stroke = kBlue;
     record.style.stroke_width = random.uniform(1, 30);
     record.style.line_join = LineJoin::kRound;
-    const Image whole = draw(make_page({record}));
+    const Raster whole = draw(make_page({record}));
     // A far point that adds no area and no line on the page sends the path through the cutting.
     record.path.move_to({1e6, 1e6});
     record.path.line_to({1e6, 1e6 + 1});

@@ -14,7 +14,7 @@ constexpr const char* kRight = "M40 10 L90 10 L90 90 L40 90 Z";
 constexpr Pixel kNothing = {0, 0, 0, 0};
 
 TEST(DrawGroup, OpacityIsOfTheMembersTogether) {
-  const Image image =
+  const Raster image =
       draw(make_page({group("g", 0.5), in("g", filled(kLeft)), in("g", filled(kRight))}));
   EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 0, 128}));
   EXPECT_EQ(image.at(50, 50), image.at(20, 50));
@@ -23,16 +23,16 @@ TEST(DrawGroup, OpacityIsOfTheMembersTogether) {
 }
 
 TEST(DrawGroup, WithoutOpacityChangesNothing) {
-  const Image with =
+  const Raster with =
       draw(make_page({group("g"), in("g", filled(kLeft)), in("g", stroked(kRight, 3))}));
-  const Image without = draw(make_page({filled(kLeft), stroked(kRight, 3)}));
+  const Raster without = draw(make_page({filled(kLeft), stroked(kRight, 3)}));
   EXPECT_EQ(with, without);
 }
 
 TEST(DrawPath, PaintsWholePixelsWithCrispEdges) {
   PathRecord path = filled("M10.5 10.3 L60.4 20.8 L30 90 Z");
   path.style.crisp_edges = true;
-  const Image image = draw(make_page({path}));
+  const Raster image = draw(make_page({path}));
   for (int y = 0; y < 100; ++y) {
     for (int x = 0; x < 100; ++x) EXPECT_EQ(image.at(x, y)[3] % 255, 0) << x << ' ' << y;
   }
@@ -42,7 +42,7 @@ TEST(DrawGroup, BlendsWithWhatLiesBelow) {
   GroupRecord multiply = group("m");
   multiply.blend_mode = BlendMode::kMultiply;
   const Records below = {filled(kLeft, {255, 128, 0}), filled(kRight, {255, 128, 0})};
-  const Image image =
+  const Raster image =
       draw(make_page({below[0], below[1], multiply, in("m", filled(kRight, {0, 255, 255}))}));
   EXPECT_EQ(image.at(20, 50), (Pixel{255, 128, 0, 255}));
   EXPECT_EQ(image.at(80, 50), (Pixel{0, 128, 0, 255}));
@@ -53,13 +53,13 @@ TEST(DrawGroup, IsolatedMembersBlendWithEachOtherAlone) {
   isolated.isolated = true;
   GroupRecord multiply = group("m");
   multiply.blend_mode = BlendMode::kMultiply;
-  const Image image = draw(make_page(
+  const Raster image = draw(make_page(
       {filled(kLeft, kRed), isolated, in("i", multiply), in("m", filled(kLeft, {0, 0, 255}))}));
   EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 255, 255}));
 }
 
 TEST(DrawGroup, NestedOpacitiesMultiply) {
-  const Image image =
+  const Raster image =
       draw(make_page({group("a", 0.5), in("a", group("b", 0.5)), in("b", filled(kLeft))}));
   EXPECT_NEAR(image.at(20, 50)[3], 64, 1);
 }
@@ -67,7 +67,7 @@ TEST(DrawGroup, NestedOpacitiesMultiply) {
 TEST(DrawGroup, HiddenGroupsAndWhatIsInThemAreNotDrawn) {
   GroupRecord outer = group("a");
   outer.hidden = true;
-  const Image image = draw(make_page({outer, in("a", group("b", 0.5)), in("b", filled(kLeft)),
+  const Raster image = draw(make_page({outer, in("a", group("b", 0.5)), in("b", filled(kLeft)),
                                       in("a", filled(kLeft)), filled(kRight)}));
   EXPECT_EQ(image.at(20, 50), kNothing);
   EXPECT_EQ(image.at(80, 50), (Pixel{0, 0, 0, 255}));
@@ -76,12 +76,12 @@ TEST(DrawGroup, HiddenGroupsAndWhatIsInThemAreNotDrawn) {
 TEST(DrawGroup, ElementsDrawTheirMembers) {
   ElementRecord element;
   element.id = "e";
-  const Image image = draw(make_page({group("g", 0.5), in("g", element), in("e", filled(kLeft))}));
+  const Raster image = draw(make_page({group("g", 0.5), in("g", element), in("e", filled(kLeft))}));
   EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 0, 128}));
 }
 
 TEST(DrawGroup, MembersThatStandApartAreDrawnInTheirGroupAgain) {
-  const Image image = draw(make_page(
+  const Raster image = draw(make_page(
       {group("g", 0.5), in("g", filled(kLeft)), filled(kRight, kRed), in("g", filled(kRight))}));
   EXPECT_EQ(image.at(20, 50), (Pixel{0, 0, 0, 128}));
   EXPECT_EQ(image.at(80, 50), (Pixel{127, 0, 0, 255}));
@@ -91,7 +91,7 @@ TEST(DrawGroup, AMissingGroupIsWarnedAboutAndIgnored) {
   PathRecord path = in("nowhere", filled(kLeft));
   path.line = 7;
   std::vector<Warning> warnings;
-  const Image image = draw(make_page({path}), [&](const Warning& w) { warnings.push_back(w); });
+  const Raster image = draw(make_page({path}), [&](const Warning& w) { warnings.push_back(w); });
   EXPECT_EQ(image.at(20, 50)[3], 255);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].place.line, 7u);
@@ -120,7 +120,7 @@ TEST(DrawPath, OpacityIsOfFillAndStrokeTogether) {
   PathRecord path = stroked(kLeft, 20);
   path.style.fill = kBlack;
   path.style.opacity = 0.5;
-  const Image image = draw(make_page({path}));
+  const Raster image = draw(make_page({path}));
   EXPECT_EQ(image.at(15, 50), (Pixel{0, 0, 0, 128}));  // both
   EXPECT_EQ(image.at(35, 50), image.at(15, 50));       // fill alone
   EXPECT_EQ(image.at(5, 50), image.at(15, 50));        // stroke alone
@@ -130,7 +130,7 @@ TEST(DrawPath, FillAndStrokeOpacitiesShowThroughEachOther) {
   PathRecord path = stroked(kLeft, 20);
   path.style.fill = kBlack;
   path.style.fill_opacity = path.style.stroke_opacity = 0.5;
-  const Image image = draw(make_page({path}));
+  const Raster image = draw(make_page({path}));
   EXPECT_EQ(image.at(35, 50), (Pixel{0, 0, 0, 128}));
   EXPECT_NEAR(image.at(15, 50)[3], 191, 1);
 }
@@ -146,7 +146,7 @@ TEST(DrawPath, StrokeFirstPutsTheFillOnTop) {
 TEST(DrawPath, BareCurvesAreBlackLinesOfOnePixel) {
   PathRecord bare;
   bare.path = filled("M0 50.5 L100 50.5").path;
-  const Image image = draw(make_page({bare}));
+  const Raster image = draw(make_page({bare}));
   EXPECT_EQ(image.at(50, 50), (Pixel{0, 0, 0, 255}));
   EXPECT_DOUBLE_EQ(covered_area(image), 100);
 }

@@ -29,7 +29,7 @@ std::string picture_of(const std::vector<Document>& documents, const PictureSett
   return sink.text;
 }
 
-Image sized(const Document& document, const PictureSize& size) {
+Raster sized(const Document& document, const PictureSize& size) {
   PictureSettings settings;
   settings.size = size;
   return decode_png(picture_of({document}, settings));
@@ -92,7 +92,7 @@ TEST(Picture, TheFormatIsThatOfTheEnding) {
 TEST(Picture, PngKeepsEveryPixel) {
   for_each_seed(20, [](std::uint64_t seed) {
     RandomValues random(seed);
-    Image image(1 + random.below(50), 1 + random.below(50));
+    Raster image(1 + random.below(50), 1 + random.below(50));
     const bool opaque = random.chance(0.5);
     for (Pixel& pixel : image.pixels) {
       const std::size_t alpha = opaque ? 255 : random.below(256);
@@ -110,7 +110,7 @@ TEST(Picture, TheSizeIsThatOfThePageOrAsAskedFor) {
   Document document = some_drawing();
   document.header.height = 50.2;
   const auto size = [&](const PictureSize& asked) {
-    const Image image = sized(document, asked);
+    const Raster image = sized(document, asked);
     return std::pair(image.width, image.height);
   };
   EXPECT_EQ(size({}), std::pair(std::size_t{100}, std::size_t{51}));
@@ -126,7 +126,7 @@ TEST(Picture, WithoutAPageItIsAsLargeAsWhatIsDrawn) {
   document.records.emplace_back(in("hidden", filled("M0 0 L900 0 L900 900 Z")));
   document.header.width.reset();
   document.header.height.reset();
-  const Image image = draw(document);
+  const Raster image = draw(document);
   EXPECT_EQ(image.width, 60u);
   EXPECT_EQ(image.height, 40u);
   EXPECT_DOUBLE_EQ(covered_area(image), 2400);
@@ -134,7 +134,7 @@ TEST(Picture, WithoutAPageItIsAsLargeAsWhatIsDrawn) {
 
 TEST(Picture, NothingOnNoPageIsOneEmptyPixelAndAWarning) {
   int warnings = 0;
-  EXPECT_EQ(draw(Document{}, [&](const Warning&) { ++warnings; }), Image(1, 1));
+  EXPECT_EQ(draw(Document{}, [&](const Warning&) { ++warnings; }), Raster(1, 1));
   EXPECT_EQ(warnings, 1);
 }
 
@@ -154,7 +154,7 @@ TEST(Picture, PagesBeyondAllSizesAreAnError) {
 TEST(Picture, TheBackgroundIsUnderEverything) {
   PictureSettings settings;
   settings.background = Color{10, 20, 30};
-  const Image image =
+  const Raster image =
       decode_png(picture_of({make_page({filled("M0 0 L50 0 L50 100 L0 100 Z", kRed)})}, settings));
   EXPECT_EQ(image.at(25, 50), (Pixel{255, 0, 0, 255}));
   EXPECT_EQ(image.at(75, 50), (Pixel{10, 20, 30, 255}));

@@ -43,7 +43,7 @@ TEST(DrawStroke, SquareDotsFollowThePen) {
 TEST(DrawStroke, APenHasTheWidthsOfItsTransform) {
   PathRecord record = stroked("M50 0 L50 100 M0 50 L100 50", 10);
   record.style.stroke_transform = Transform::scaling(3, 0.5);
-  const Image image = draw(make_page({record}));
+  const Raster image = draw(make_page({record}));
   EXPECT_NEAR(covered_area(image), 30 * 100 + 5 * 100 - 30 * 5, 1);
 }
 
@@ -55,7 +55,7 @@ TEST(DrawStroke, APenFlattenedToALineDrawsNothing) {
 
 TEST(DrawStroke, DashesThatAreNoneDrawSolid) {
   const PathRecord solid = stroked("M10 50 L90 50", 4);
-  const Image expected = draw(make_page({solid}));
+  const Raster expected = draw(make_page({solid}));
   EXPECT_EQ(draw(make_page({dashed(solid, {0, 0})})), expected);
   EXPECT_EQ(draw(make_page({dashed(solid, {5, -1})})), expected);
 }
@@ -68,15 +68,15 @@ TEST(DrawStroke, OddDashArraysRunTwice) {
 
 TEST(DrawStroke, DashOffsetsRepeatWithThePattern) {
   const PathRecord line = stroked("M10 50 L90 50", 4);
-  const Image expected = draw(make_page({dashed(line, {4, 6}, 3)}));
+  const Raster expected = draw(make_page({dashed(line, {4, 6}, 3)}));
   EXPECT_EQ(draw(make_page({dashed(line, {4, 6}, 3 - 70)})), expected);
   EXPECT_EQ(draw(make_page({dashed(line, {4, 6}, 3 + 1e9)})), expected);
 }
 
 // A line that begins far outside is cut, its dashes are not moved.
 TEST(DrawStroke, CuttingKeepsThePhaseOfDashes) {
-  const Image near = draw(make_page({dashed(stroked("M-100 50 L200 50", 4), {7, 6})}));
-  const Image far = draw(make_page({dashed(stroked("M-1300100 50 L200 50", 4), {7, 6})}));
+  const Raster near = draw(make_page({dashed(stroked("M-100 50 L200 50", 4), {7, 6})}));
+  const Raster far = draw(make_page({dashed(stroked("M-1300100 50 L200 50", 4), {7, 6})}));
   EXPECT_EQ(count_different(near, far, 8), 0u);
 }
 

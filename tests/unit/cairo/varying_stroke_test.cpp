@@ -57,7 +57,7 @@ TEST(VaryingStroke, OfEvenWidthCoversWhatIsNearThePath) {
     record.along.channels = {{"width", std::vector(record.path.vertex_count(), 2 * radius)}};
     record.style.line_cap = LineCap::kRound;
     record.style.stroke_opacity = 0.5;
-    const Image image = draw(make_page({record}));
+    const Raster image = draw(make_page({record}));
     const auto flat = flatten(record.path, 0.01);
     const double margin = 0.8 + 0.015 * radius;  // half a pixel's diagonal; shared edges of corners
     for (std::size_t y = 0; y < 100; ++y) {
@@ -89,12 +89,12 @@ TEST(VaryingStroke, OfOneColorIsThatOfNoColor) {
 }
 
 TEST(VaryingStroke, GrowsEvenlyFromVertexToVertex) {
-  const Image image = draw(make_page({with_widths("M10 50 L90 50", {0, 40})}));
+  const Raster image = draw(make_page({with_widths("M10 50 L90 50", {0, 40})}));
   EXPECT_EQ(count_different(image, draw(make_page({filled("M10 50 L90 30 L90 70 Z")})), 24), 0u);
 }
 
 TEST(VaryingStroke, CoversTheSectorOfAWidening) {
-  const Image image = draw(make_page({with_widths("M50 50 L50 50", {30, 30})}));
+  const Raster image = draw(make_page({with_widths("M50 50 L50 50", {30, 30})}));
   EXPECT_EQ(covered_area(image), 0) << "butt caps draw no dot";
   PathRecord dot = with_widths("M50 50 L50 50", {30, 30});
   dot.style.line_cap = LineCap::kRound;
@@ -104,7 +104,7 @@ TEST(VaryingStroke, CoversTheSectorOfAWidening) {
 TEST(VaryingStroke, ColorsChangeEvenlyAlongTheCurve) {
   PathRecord record = stroked("M0 50 L100 50", 20);
   record.along.colors = {{255, 0, 0}, {0, 0, 255}};
-  const Image image = draw(make_page({record}));
+  const Raster image = draw(make_page({record}));
   for (std::size_t x = 0; x < 100; ++x) {
     const double t = (static_cast<double>(x) + 0.5) / 100;
     EXPECT_NEAR(image.at(x, 50)[0], 255 * (1 - t), 4) << x;
